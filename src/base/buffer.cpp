@@ -1,0 +1,30 @@
+#include "base/buffer.h"
+
+#include <new>
+#include <sys/mman.h>
+
+namespace drawbead {
+
+namespace {
+constexpr std::size_t huge_page = std::size_t{2} << 20;
+}
+
+void* allocate_pages(std::size_t bytes) {
+    if (bytes == 0) return nullptr;
+    if (bytes < huge_page) return ::operator new(bytes);
+    void* memory = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (memory == MAP_FAILED) throw std::bad_alloc();
+    madvise(memory, bytes, MADV_HUGEPAGE);
+    return memory;
+}
+
+void free_pages(void* memory, std::size_t bytes) noexcept {
+    if (!memory) return;
+    if (bytes < huge_page) {
+        ::operator delete(memory);
+        return;
+    }
+    munmap(memory, bytes);
+}
+
+} // namespace drawbead
