@@ -1,0 +1,87 @@
+#pragma once
+// What a check says: values that own everything they say, with no pointer into deck or model.
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace drawbead {
+
+enum class Severity : uint8_t { info, warning, error };
+enum class FixAvailability : uint8_t { none, unsafe, sometimes_safe, safe };
+
+std::string_view name(Severity);         ///< "error", "warning", "info"
+std::string_view name(FixAvailability);  ///< "none", "unsafe", "sometimes safe", "safe"
+std::optional<Severity> severity_from(std::string_view name);
+
+/// What is known of a rule before it runs. `page` is its Markdown page, embedded at build time.
+struct RuleInfo {
+    std::string_view code;    ///< "SRF001"
+    std::string_view name;    ///< "segment-normal-away-from-bead"
+    std::string_view summary; ///< one sentence without a full stop
+    Severity severity = Severity::warning;
+    FixAvailability fix = FixAvailability::none;
+    int starter_message = 0; ///< the Starter message that it foresees, 0 when none
+    std::string_view page;
+
+    std::string_view family() const { return code.substr(0, 3); }
+};
+
+/// A place in a file, resolved. `file` is as the user knows it; lines and columns count bytes from 1; `end_column` is
+/// one past the last byte.
+struct ResolvedPlace {
+    std::string file;
+    uint64_t line = 0;
+    uint32_t column = 0, end_column = 0;
+    std::string snippet; ///< the line, at most 160 bytes, control bytes replaced
+};
+
+/// A number with its unit: "excess force", 4800, "N".
+struct Measure {
+    std::string name;
+    double value = 0;
+    std::string unit;
+};
+
+/// Ids of what a finding is about: all are counted, at most 100 are listed.
+struct EntityList {
+    static constexpr std::size_t most = 100;
+    uint64_t count = 0;
+    std::vector<int64_t> ids;
+
+    void add(int64_t id) {
+        ++count;
+        if (ids.size() < most) ids.push_back(id);
+    }
+};
+
+struct Entities {
+    EntityList nodes, segments, elements;
+};
+
+struct FixOffer {
+    std::string title;
+    FixAvailability applicability = FixAvailability::safe; ///< safe or unsafe
+};
+
+struct Finding {
+    std::string code, name;
+    Severity severity = Severity::warning;
+    std::string message;                ///< lower case, no full stop, with ids, values and units
+    std::optional<int64_t> interface_id;
+    std::vector<ResolvedPlace> places;  ///< the first is the primary one, at most 100
+    uint64_t place_count = 0;           ///< of all places, listed or not
+    Entities entities;
+    std::vector<Measure> measured;
+    std::vector<std::string> notes;     ///< consequences
+    std::string help;                   ///< what to do
+    std::vector<FixOffer> fixes;
+    std::string fingerprint;            ///< 16 hexadecimal digits from code, interface and entity ids, never line numbers
+};
+
+/// Hash of code, interface and all entity ids given; stable between versions and machines.
+std::string fingerprint(std::string_view code, std::optional<int64_t> interface_id, const Entities&,
+                        std::string_view discriminator);
+
+} // namespace drawbead

@@ -1,0 +1,71 @@
+#pragma once
+// The outcome of a run over one or more decks, ready to be written in any format.
+#include "findings/finding.h"
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace drawbead {
+
+struct InterfaceSummary {
+    int64_t id = 0;
+    std::string title;
+    uint64_t nodes = 0;    ///< listed in its group
+    uint64_t segments = 0; ///< of its main surface
+    double length = 0;     ///< of the bead line, work units
+};
+
+/// What was read of a deck.
+struct DeckInfo {
+    int version = 0; ///< /BEGIN, as written
+    std::string run_name;
+    std::string mass_unit, length_unit, time_unit; ///< work units
+    std::string input_mass_unit, input_length_unit, input_time_unit;
+    std::vector<std::string> files;
+    uint64_t bytes = 0;
+    uint64_t nodes = 0, shells4 = 0, shells3 = 0, solids = 0, parts = 0;
+    std::vector<InterfaceSummary> interfaces; ///< of TYPE8
+    std::map<std::string, uint64_t> keywords; ///< "/NODE" -> blocks
+};
+
+struct StarterMessages {
+    struct Interface {
+        int64_t id = 0;
+        std::vector<int> messages;      ///< of 112, 703, 1040, 1043, 346, 499; ascending
+        std::vector<int64_t> nodes_346; ///< user ids, ascending
+    };
+    std::vector<int> messages; ///< union, ascending
+    std::vector<Interface> interfaces;
+};
+
+struct DeckResult {
+    std::string path;
+    std::string failure; ///< when the deck could not be read at all: the message; everything else is empty then
+    ResolvedPlace failure_place;
+    std::string failure_help;
+    DeckInfo info;
+    std::optional<StarterMessages> starter;
+    std::vector<Finding> findings; ///< sorted by place, code, message
+
+    bool failed() const { return !failure.empty(); }
+};
+
+struct Summary {
+    uint64_t decks = 0, failed = 0, interfaces = 0;
+    uint64_t errors = 0, warnings = 0, infos = 0;
+    double seconds = 0; ///< of the whole run; 0 where output must be reproducible
+};
+
+struct Report {
+    std::string tool_version;
+    std::vector<DeckResult> decks; ///< in the order given, folders sorted
+    Summary summary;
+};
+
+/// Counts everything but `seconds`.
+Summary summarise(const std::vector<DeckResult>&);
+
+} // namespace drawbead
