@@ -1,5 +1,6 @@
 #pragma once
-// An array that is not zeroed before it is filled: tables of millions of rows are written once, by several threads.
+// An array that is not zeroed before it is filled: tables of millions of rows are written once, by several
+// threads.
 #include <cstddef>
 #include <span>
 #include <type_traits>
@@ -11,7 +12,8 @@ namespace drawbead {
 void* allocate_pages(std::size_t bytes);
 void free_pages(void* memory, std::size_t bytes) noexcept;
 
-/// Fixed-capacity array of trivially copyable T, uninitialised; `resize` only changes the count within the capacity.
+/// Fixed-capacity array of trivially copyable T, uninitialised; `resize` only changes the count within the
+/// capacity.
 template <class T>
 class Buffer {
     static_assert(std::is_trivially_copyable_v<T>);
@@ -19,7 +21,8 @@ class Buffer {
 public:
     Buffer() = default;
     explicit Buffer(std::size_t capacity)
-        : data_(static_cast<T*>(allocate_pages(capacity * sizeof(T)))), size_(capacity), capacity_(capacity) {}
+        : data_(static_cast<T*>(allocate_pages(capacity * sizeof(T)))), size_(capacity), capacity_(capacity) {
+    }
     Buffer(Buffer&& other) noexcept
         : data_(std::exchange(other.data_, nullptr)), size_(std::exchange(other.size_, 0)),
           capacity_(std::exchange(other.capacity_, 0)) {}

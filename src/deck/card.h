@@ -1,5 +1,6 @@
 #pragma once
-// The card mechanism: a card is data (name, columns, kind, dimension, versions); reading and explaining it is generic.
+// The card mechanism: a card is data (name, columns, kind, dimension, versions); reading and explaining it is
+// generic.
 #include "deck/number.h"
 #include "deck/place.h"
 #include "deck/units.h"
@@ -15,7 +16,18 @@ namespace drawbead {
 class Deck;
 
 enum class Kind : uint8_t { integer, real, text };
-enum class Link : uint8_t { none, node, node_group, surface, part, property, material, subset, function, submodel };
+enum class Link : uint8_t {
+    none,
+    node,
+    node_group,
+    surface,
+    part,
+    property,
+    material,
+    subset,
+    function,
+    submodel
+};
 
 inline constexpr int newest_layout = 9999; ///< `until` of a field that still exists
 
@@ -38,14 +50,15 @@ struct CardSchema {
 enum class CellState : uint8_t {
     blank,
     ok,
-    trailing,          ///< more text after the number; the solver ignores it
-    garbage,           ///< not a number
+    trailing, ///< more text after the number; the solver ignores it
+    garbage,  ///< not a number
     not_finite,
     unknown_parameter, ///< `&name` that no /PARAMETER defines
     absent,            ///< the layout of this version has no such field
 };
 
-/// One cell as written. `real` and `integer` hold the value in the deck's input units, 0 unless state is ok/trailing.
+/// One cell as written. `real` and `integer` hold the value in the deck's input units, 0 unless state is
+/// ok/trailing.
 struct Cell {
     CellState state = CellState::absent;
     std::string_view text; ///< trimmed
@@ -64,11 +77,13 @@ struct Card {
     Span line;                ///< without the line end
     std::vector<Cell> cells;
 
-    const Cell& operator[](std::string_view field) const; ///< in the layout at hand; a static absent cell otherwise
+    const Cell&
+    operator[](std::string_view field) const; ///< in the layout at hand; a static absent cell otherwise
 };
 
-/// Reads `line` (a place in `scope`'s file) by the schema's layout for the scope's version. Cells are cut by column;
-/// a line with a comma is cut at commas, each gap between fields counting as one empty field. `&name` is replaced.
+/// Reads `line` (a place in `scope`'s file) by the schema's layout for the scope's version. Cells are cut by
+/// column; a line with a comma is cut at commas, each gap between fields counting as one empty field. `&name`
+/// is replaced.
 Card read_card(const Deck&, ScopeId, Span line, const CardSchema&);
 /// A card whose line does not exist.
 Card missing_card(const Deck&, ScopeId, const CardSchema&);

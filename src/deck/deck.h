@@ -18,12 +18,12 @@
 
 namespace drawbead {
 
-/// One option: its header line and the text up to the next keyword line of the same file. An `#include` line in the
-/// middle does not end it.
+/// One option: its header line and the text up to the next keyword line of the same file. An `#include` line
+/// in the middle does not end it.
 struct Block {
     std::string_view keyword; ///< "GRNOD/NODENS": fields between the first slash and the id
-    int64_t id = 0;           ///< as written (parameters replaced), without the scope's offset; 1 when not given
-    int64_t unit = 0;         ///< unit id, 0 when none
+    int64_t id = 0;   ///< as written (parameters replaced), without the scope's offset; 1 when not given
+    int64_t unit = 0; ///< unit id, 0 when none
     bool id_given = false;
     Span header; ///< the keyword line without its line end
     Span text;   ///< everything after the header line
@@ -40,16 +40,16 @@ struct Notice {
         include_outside_root,
         include_text_dropped, ///< data before the first keyword of an included file
         data_after_enddata,
-        version_unknown,   ///< taken as the newest by the solver
-        version_too_old,   ///< 41 to 44: read as far as real readers go
+        version_unknown, ///< taken as the newest by the solver
+        version_too_old, ///< 41 to 44: read as far as real readers go
         version_in_include,
-        submodel_version,  ///< Vnnn on //SUBMODEL, which readers do not apply
+        submodel_version, ///< Vnnn on //SUBMODEL, which readers do not apply
         unit_not_understood,
         unknown_parameter,
-        bad_parameter,     ///< its value or expression cannot be evaluated
-        keyword_indented,  ///< blanks before the slash
+        bad_parameter,    ///< its value or expression cannot be evaluated
+        keyword_indented, ///< blanks before the slash
         header_id_overflow,
-        encrypted,         ///< block content cannot be read
+        encrypted, ///< block content cannot be read
         end_missing,
         submodel_not_closed,
     };
@@ -69,7 +69,8 @@ struct ReadOptions {
 
 class Deck {
 public:
-    /// Reads the main file and its includes. An error only when the main file cannot be read or holds no /BEGIN.
+    /// Reads the main file and its includes. An error only when the main file cannot be read or holds no
+    /// /BEGIN.
     static Result<Deck> read(const std::string& path, FileReader&, const ReadOptions& = {});
 
     const std::string& path() const { return path_; }
@@ -90,8 +91,8 @@ public:
     const Parameter* parameter(ScopeId, std::string_view name) const;
     /// The unit system of a `/UNIT/id`; nullptr when there is none.
     const UnitSystem* unit(int64_t id) const;
-    /// Factor from the written number to the deck's work units, for an option of `scope` with this unit id (0: the
-    /// submodel's, then the scope's own). Empty when the unit id is unknown.
+    /// Factor from the written number to the deck's work units, for an option of `scope` with this unit id
+    /// (0: the submodel's, then the scope's own). Empty when the unit id is unknown.
     std::optional<double> factor(ScopeId, int64_t unit, Dimension) const;
 
     /// Ids as the solver knows them: written id plus the scope's offset, 0 stays 0.
@@ -113,8 +114,8 @@ private:
     std::vector<Notice> notices_;
 };
 
-/// Walks the data lines of a block: comment lines and directive lines with their continuations are left out, blank
-/// lines are not.
+/// Walks the data lines of a block: comment lines and directive lines with their continuations are left out,
+/// blank lines are not.
 class DataLines {
 public:
     DataLines(const Deck&, const Span& text);

@@ -37,7 +37,8 @@ public:
     virtual bool exists(const std::string& path) = 0;
     /// The same text for two paths of the same file (device and inode on a disk), for cycle detection.
     virtual std::string identity(const std::string& path) = 0;
-    /// Whether the bytes of `path` may have changed since `read`: mapped files can be rewritten by others meanwhile.
+    /// Whether the bytes of `path` may have changed since `read`: mapped files can be rewritten by others
+    /// meanwhile.
     virtual bool changed_since_read(const std::string& path) = 0;
 };
 

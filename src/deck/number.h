@@ -1,5 +1,6 @@
 #pragma once
-// Numbers as Fortran and the solver's reader write them: 1.0D+3, 1.5-3 (exponent sign without a letter), .5, 3., 1.0E
+// Numbers as Fortran and the solver's reader write them: 1.0D+3, 1.5-3 (exponent sign without a letter),
+// .5, 3., 1.0E
 #include <cstdint>
 #include <string_view>
 
@@ -22,8 +23,8 @@ struct IntegerCell {
     NumberState state = NumberState::blank;
 };
 
-/// Reads the first number of a cell. Blanks and tabs around it do not count. Fast for plain cells, one exact slow path
-/// for the rest; both agree to the last bit.
+/// Reads the first number of a cell. Blanks and tabs around it do not count. Fast for plain cells, one exact
+/// slow path for the rest; both agree to the last bit.
 RealCell parse_real(std::string_view cell);
 /// As the solver's reader: "1.5" is 1, "+7" is 7.
 IntegerCell parse_integer(std::string_view cell);

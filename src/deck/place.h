@@ -6,8 +6,12 @@ namespace drawbead {
 
 enum class FileId : uint32_t {};
 enum class ScopeId : uint32_t {};
-constexpr uint32_t index(FileId id) { return static_cast<uint32_t>(id); }
-constexpr uint32_t index(ScopeId id) { return static_cast<uint32_t>(id); }
+constexpr uint32_t index(FileId id) {
+    return static_cast<uint32_t>(id);
+}
+constexpr uint32_t index(ScopeId id) {
+    return static_cast<uint32_t>(id);
+}
 
 /// Half-open byte range [begin, end) of one file.
 struct Span {

@@ -1,5 +1,6 @@
 #pragma once
-// One pass over the bytes of a file: where its keyword lines and directives start, and how many lines there are.
+// One pass over the bytes of a file: where its keyword lines and directives start, and how many lines there
+// are.
 #include <cstdint>
 #include <string_view>
 #include <vector>
@@ -9,7 +10,8 @@ namespace drawbead {
 struct LineScan {
     static constexpr uint64_t stride = uint64_t{1} << 20;
 
-    std::vector<uint64_t> marks;    ///< offsets of line starts with '/', or with a '#' directive (include, enddata, …)
+    std::vector<uint64_t>
+        marks; ///< offsets of line starts with '/', or with a '#' directive (include, enddata, …)
     std::vector<uint64_t> newlines; ///< newlines in [0, k·stride), for k = 0 … ceil(size/stride)
 };
 

@@ -31,13 +31,13 @@ using ParameterTable = std::map<std::string, Parameter, std::less<>>;
 struct Scope {
     ScopeId parent{}; ///< the root is its own parent
     FileId file{};
-    Span included_by;       ///< the #include line, or the //SUBMODEL header; empty for the root
-    int version = 0;        ///< as written on /BEGIN
-    int layout = 0;         ///< the card layouts that the solver takes for it
-    UnitSystem input;       ///< units of numbers written here
-    int64_t unit_id = 0;    ///< of //SUBMODEL, for options that have none of their own
-    Offsets offsets;        ///< accumulated over nested submodels
-    int64_t submodel = 0;   ///< global id of the innermost //SUBMODEL, 0 outside
+    Span included_by;          ///< the #include line, or the //SUBMODEL header; empty for the root
+    int version = 0;           ///< as written on /BEGIN
+    int layout = 0;            ///< the card layouts that the solver takes for it
+    UnitSystem input;          ///< units of numbers written here
+    int64_t unit_id = 0;       ///< of //SUBMODEL, for options that have none of their own
+    Offsets offsets;           ///< accumulated over nested submodels
+    int64_t submodel = 0;      ///< global id of the innermost //SUBMODEL, 0 outside
     ParameterTable parameters; ///< local ones
     uint32_t depth = 0;
 };

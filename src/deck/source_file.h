@@ -8,7 +8,8 @@
 
 namespace drawbead {
 
-/// One file of a deck: its path as users know it, its bytes, and where its lines are. Places are computed, not stored.
+/// One file of a deck: its path as users know it, its bytes, and where its lines are. Places are computed,
+/// not stored.
 class SourceFile {
 public:
     struct Position {

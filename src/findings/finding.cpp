@@ -27,15 +27,18 @@ namespace {
 class Hash {
 public:
     void bytes(std::string_view text) {
-        for (const char c : text) byte(static_cast<unsigned char>(c));
+        for (const char c : text)
+            byte(static_cast<unsigned char>(c));
         byte(0xff);
     }
     void number(int64_t v) {
-        for (int i = 0; i < 8; ++i) byte(static_cast<unsigned char>(static_cast<uint64_t>(v) >> (8 * i)));
+        for (int i = 0; i < 8; ++i)
+            byte(static_cast<unsigned char>(static_cast<uint64_t>(v) >> (8 * i)));
     }
     std::string hex() const {
         std::string text(16, '0');
-        for (int i = 0; i < 16; ++i) text[static_cast<std::size_t>(i)] = "0123456789abcdef"[(state_ >> (60 - 4 * i)) & 15];
+        for (int i = 0; i < 16; ++i)
+            text[static_cast<std::size_t>(i)] = "0123456789abcdef"[(state_ >> (60 - 4 * i)) & 15];
         return text;
     }
 
@@ -53,7 +56,8 @@ std::string fingerprint(std::string_view code, std::optional<int64_t> interface_
     hash.number(interface_id.value_or(-1));
     for (const EntityList* list : {&entities.nodes, &entities.segments, &entities.elements}) {
         hash.number(static_cast<int64_t>(list->count));
-        for (const int64_t id : list->ids) hash.number(id);
+        for (const int64_t id : list->ids)
+            hash.number(id);
     }
     hash.bytes(discriminator);
     return hash.hex();
@@ -67,9 +71,15 @@ Summary summarise(const std::vector<DeckResult>& decks) {
         summary.interfaces += deck.info.interfaces.size();
         for (const Finding& finding : deck.findings) {
             switch (finding.severity) {
-            case Severity::error: ++summary.errors; break;
-            case Severity::warning: ++summary.warnings; break;
-            case Severity::info: ++summary.infos; break;
+            case Severity::error:
+                ++summary.errors;
+                break;
+            case Severity::warning:
+                ++summary.warnings;
+                break;
+            case Severity::info:
+                ++summary.infos;
+                break;
             }
         }
     }

@@ -11,8 +11,8 @@ namespace drawbead {
 enum class Severity : uint8_t { info, warning, error };
 enum class FixAvailability : uint8_t { none, unsafe, sometimes_safe, safe };
 
-std::string_view name(Severity);         ///< "error", "warning", "info"
-std::string_view name(FixAvailability);  ///< "none", "unsafe", "sometimes safe", "safe"
+std::string_view name(Severity);        ///< "error", "warning", "info"
+std::string_view name(FixAvailability); ///< "none", "unsafe", "sometimes safe", "safe"
 std::optional<Severity> severity_from(std::string_view name);
 
 /// What is known of a rule before it runs. `page` is its Markdown page, embedded at build time.
@@ -28,8 +28,8 @@ struct RuleInfo {
     std::string_view family() const { return code.substr(0, 3); }
 };
 
-/// A place in a file, resolved. `file` is as the user knows it; lines and columns count bytes from 1; `end_column` is
-/// one past the last byte.
+/// A place in a file, resolved. `file` is as the user knows it; lines and columns count bytes from 1;
+/// `end_column` is one past the last byte.
 struct ResolvedPlace {
     std::string file;
     uint64_t line = 0;
@@ -68,16 +68,17 @@ struct FixOffer {
 struct Finding {
     std::string code, name;
     Severity severity = Severity::warning;
-    std::string message;                ///< lower case, no full stop, with ids, values and units
+    std::string message; ///< lower case, no full stop, with ids, values and units
     std::optional<int64_t> interface_id;
-    std::vector<ResolvedPlace> places;  ///< the first is the primary one, at most 100
-    uint64_t place_count = 0;           ///< of all places, listed or not
+    std::vector<ResolvedPlace> places; ///< the first is the primary one, at most 100
+    uint64_t place_count = 0;          ///< of all places, listed or not
     Entities entities;
     std::vector<Measure> measured;
-    std::vector<std::string> notes;     ///< consequences
-    std::string help;                   ///< what to do
+    std::vector<std::string> notes; ///< consequences
+    std::string help;               ///< what to do
     std::vector<FixOffer> fixes;
-    std::string fingerprint;            ///< 16 hexadecimal digits from code, interface and entity ids, never line numbers
+    std::string
+        fingerprint; ///< 16 hexadecimal digits from code, interface and entity ids, never line numbers
 };
 
 /// Hash of code, interface and all entity ids given; stable between versions and machines.

@@ -43,7 +43,8 @@ struct StarterMessages {
 
 struct DeckResult {
     std::string path;
-    std::string failure; ///< when the deck could not be read at all: the message; everything else is empty then
+    std::string
+        failure; ///< when the deck could not be read at all: the message; everything else is empty then
     ResolvedPlace failure_place;
     std::string failure_help;
     DeckInfo info;

@@ -17,12 +17,20 @@ struct Vec3 {
     constexpr Vec3& operator+=(Vec3 b) { return *this = *this + b; }
 };
 
-constexpr double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+constexpr double dot(Vec3 a, Vec3 b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 constexpr Vec3 cross(Vec3 a, Vec3 b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-constexpr double squared_norm(Vec3 a) { return dot(a, a); }
-inline double norm(Vec3 a) { return std::sqrt(squared_norm(a)); }
-inline double distance(Vec3 a, Vec3 b) { return norm(b - a); }
+constexpr double squared_norm(Vec3 a) {
+    return dot(a, a);
+}
+inline double norm(Vec3 a) {
+    return std::sqrt(squared_norm(a));
+}
+inline double distance(Vec3 a, Vec3 b) {
+    return norm(b - a);
+}
 
 } // namespace drawbead

@@ -1,5 +1,6 @@
 #pragma once
-// Options that TYPE8 looks at, as read: ids are global, numbers in work units, places kept for messages and repairs.
+// Options that TYPE8 looks at, as read: ids are global, numbers in work units, places kept for messages and
+// repairs.
 #include "base/buffer.h"
 #include "deck/card.h"
 #include "deck/deck.h"
@@ -65,10 +66,11 @@ struct NodeGroup {
     BlockIndex block = 0;
     std::string type; ///< "NODENS", "NODE", "SET" …
     Order order = Order::sorted;
-    std::vector<NodeRow> nodes;      ///< in the solver's order, existing nodes only, duplicates kept
-    std::vector<ListedNode> listed;  ///< entries of NODENS / NODE lists as written, zeros and all; empty for other types
+    std::vector<NodeRow> nodes; ///< in the solver's order, existing nodes only, duplicates kept
+    std::vector<ListedNode>
+        listed; ///< entries of NODENS / NODE lists as written, zeros and all; empty for other types
     std::vector<Span> nodens_clauses; ///< /SET: places of the NODENS clause keys
-    bool evaluated = true; ///< false: a type that the tool cannot expand (nodes is empty then)
+    bool evaluated = true;            ///< false: a type that the tool cannot expand (nodes is empty then)
     std::string title;
 };
 
@@ -86,24 +88,38 @@ struct Segment {
 
 /// One thing that a surface is made of, as written in its block; what a repair would edit.
 struct SurfaceSource {
-    enum class Kind : uint8_t { segment_lines, part, subset, material, property, shell_group, sh3n_group, brick_group, surface, set_clause, other };
+    enum class Kind : uint8_t {
+        segment_lines,
+        part,
+        subset,
+        material,
+        property,
+        shell_group,
+        sh3n_group,
+        brick_group,
+        surface,
+        set_clause,
+        other
+    };
     Kind kind = Kind::other;
     int64_t id = 0; ///< global id of the part, group, surface …; its sign as written
     Span place;
 };
 
-/// A main surface, expanded into oriented segments. The solver stores segments from SEG lines first, as listed, then
-/// 4-node shells, then 3-node shells, each by ascending element id; `Model::storage_key` orders them so.
+/// A main surface, expanded into oriented segments. The solver stores segments from SEG lines first, as
+/// listed, then 4-node shells, then 3-node shells, each by ascending element id; `Model::storage_key` orders
+/// them so.
 struct Surface {
     SurfaceId id = 0;
     BlockIndex block = 0;
-    std::string type; ///< "PART", "SEG", "GRSHEL", "PART/EXT", "SET" …
-    Buffer<Segment> segments;        ///< in the order of the tables that they come from
-    bool in_storage_order = true;    ///< whether that is the solver's storage order
-    std::vector<Span> lines;         ///< SEG lines of segments [0, lines.size()), in their own order; empty without SEG
+    std::string type;             ///< "PART", "SEG", "GRSHEL", "PART/EXT", "SET" …
+    Buffer<Segment> segments;     ///< in the order of the tables that they come from
+    bool in_storage_order = true; ///< whether that is the solver's storage order
+    std::vector<Span>
+        lines; ///< SEG lines of segments [0, lines.size()), in their own order; empty without SEG
     std::vector<SurfaceSource> sources;
     std::vector<int64_t> unknown_nodes; ///< of SEG lines
-    bool evaluated = true; ///< false: a type that the tool cannot expand
+    bool evaluated = true;              ///< false: a type that the tool cannot expand
     std::string title;
 };
 
@@ -114,13 +130,13 @@ struct Drawbead {
     std::string title;
     Span title_line;
     bool title_missing = false;
-    std::array<Card, 3> cards;  ///< cells in the deck's input units; [2] has fields only from layout 2022 on
-    std::vector<Span> extra;    ///< data lines after the last card
+    std::array<Card, 3> cards; ///< cells in the deck's input units; [2] has fields only from layout 2022 on
+    std::vector<Span> extra;   ///< data lines after the last card
     std::optional<uint32_t> group;   ///< index into Model::groups(); empty when the id is 0 or unknown
     std::optional<uint32_t> surface; ///< index into Model::surfaces()
     GroupId group_id = 0;
     SurfaceId surface_id = 0;
-    int iform = 2; ///< 0 is already 2
+    int iform = 2;                                               ///< 0 is already 2
     double fn_first = 0, ft_first = 0, fn_last = 0, ft_last = 0; ///< force per length, work units
     double depth = 0;                                            ///< length
     double t_start = 0, t_stop = 1e30;                           ///< time; a Tstop of 0 is already 1e30
@@ -132,7 +148,13 @@ struct Drawbead {
 
 /// What holds or moves a node.
 struct Attachment {
-    enum class Kind : uint8_t { rigid_body, boundary_condition, imposed_velocity, imposed_displacement, other };
+    enum class Kind : uint8_t {
+        rigid_body,
+        boundary_condition,
+        imposed_velocity,
+        imposed_displacement,
+        other
+    };
     Kind kind = Kind::other;
     int64_t id = 0;
     BlockIndex block = 0;

@@ -7,8 +7,8 @@
 
 namespace drawbead {
 
-/// Ids to rows of one table: arithmetic when ids are consecutive, else a dense table, else pages of 4096 ids. Never a
-/// search. Duplicate ids keep the first row and are listed.
+/// Ids to rows of one table: arithmetic when ids are consecutive, else a dense table, else pages of 4096 ids.
+/// Never a search. Duplicate ids keep the first row and are listed.
 class IdMap {
 public:
     static constexpr uint32_t none = 0xffffffffu;

@@ -1,5 +1,6 @@
 #pragma once
-// The mechanical content of a deck, as far as drawbeads need it. Built once, then const and shared by threads.
+// The mechanical content of a deck, as far as drawbeads need it. Built once, then const and shared by
+// threads.
 #include "base/result.h"
 #include "model/entities.h"
 #include "model/tables.h"
@@ -22,8 +23,12 @@ enum class Needs : uint32_t {
     surface_users = 32,     ///< who else uses a surface or group
     attachments = 64,       ///< what holds the bead nodes
 };
-constexpr Needs operator|(Needs a, Needs b) { return Needs(uint32_t(a) | uint32_t(b)); }
-constexpr bool has(Needs set, Needs one) { return (uint32_t(set) & uint32_t(one)) != 0; }
+constexpr Needs operator|(Needs a, Needs b) {
+    return Needs(uint32_t(a) | uint32_t(b));
+}
+constexpr bool has(Needs set, Needs one) {
+    return (uint32_t(set) & uint32_t(one)) != 0;
+}
 
 /// What the model's readers met in the cells they read.
 struct ReadIssue {
@@ -32,7 +37,7 @@ struct ReadIssue {
         not_finite,
         unknown_parameter,
         id_overflow,
-        duplicate_id,     ///< subject: family and id; related: the first definition
+        duplicate_id, ///< subject: family and id; related: the first definition
         unknown_unit,
         unknown_node,     ///< an element's node does not exist
         not_supported,    ///< an option that would matter and that the tool cannot expand

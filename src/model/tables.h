@@ -50,8 +50,9 @@ struct ShellTable {
     Buffer<std::array<NodeRow, 4>> nodes; ///< no_node where the node does not exist
     std::vector<ElementRange> ranges;     ///< ascending rows
     std::vector<RowPiece> pieces;
-    std::vector<std::pair<uint32_t, double>> thickness; ///< rows with a thickness of their own (work units), ascending
-    IdMap map; ///< built only when Needs::all_element_ids, or when something refers to elements by id
+    std::vector<std::pair<uint32_t, double>>
+        thickness; ///< rows with a thickness of their own (work units), ascending
+    IdMap map;     ///< built only when Needs::all_element_ids, or when something refers to elements by id
 
     uint32_t size() const { return static_cast<uint32_t>(id.size()); }
     PartId part(uint32_t row) const;
@@ -60,12 +61,13 @@ struct ShellTable {
 
 enum class SolidKind : uint8_t { brick, tetra4, penta6, tetra10, bric20, shel16 };
 
-/// Solids by their 8 corners: a tetra repeats nodes as the solver stores it, mid-side nodes of tetra10 in `mid`.
+/// Solids by their 8 corners: a tetra repeats nodes as the solver stores it, mid-side nodes of tetra10 in
+/// `mid`.
 struct SolidTable {
     std::vector<uint32_t> id;
     std::vector<std::array<NodeRow, 8>> nodes; ///< tetra: n1 n2 n3 n4 then no_node; penta: six, then no_node
     std::vector<SolidKind> kind;
-    std::vector<std::array<NodeRow, 6>> mid;   ///< parallel to `nodes` only when any tetra10 exists, else empty
+    std::vector<std::array<NodeRow, 6>> mid; ///< parallel to `nodes` only when any tetra10 exists, else empty
     std::vector<ElementRange> ranges;
     std::vector<RowPiece> pieces;
     IdMap map;

@@ -22,8 +22,8 @@ struct CheckOptions {
     unsigned threads = 1; ///< within one deck
 };
 
-/// Reads `path`, builds what the selected rules need, runs them. Never fails: a deck that cannot be read is a result
-/// with `failure` set.
+/// Reads `path`, builds what the selected rules need, runs them. Never fails: a deck that cannot be read is a
+/// result with `failure` set.
 DeckResult check_deck(const std::string& path, FileReader&, const ReadOptions&, const CheckOptions&);
 
 /// What `info` prints.

@@ -1,0 +1,172 @@
+#include "decks.h"
+
+using namespace drawbead;
+
+namespace {
+
+std::vector<std::string> keywords(const Deck& deck) {
+    std::vector<std::string> words;
+    for (const Block& block : deck.blocks())
+        words.emplace_back(block.keyword);
+    return words;
+}
+
+using Words = std::vector<std::string>;
+
+} // namespace
+
+TEST_CASE("keyword lines: ids, padding, units, text behind") {
+    const Deck deck =
+        read_deck(begin_2022 + "/GRNOD/NODE/      12\n/BCS/       1/    2\n/PROP/SH_SANDW/         2/\n"
+                               "/MAT/LAW2/1/3\n/INTER/TYPE8/7 text\n/SHFRA/V4\n/TITLE\nx\n/ANALY\n"
+                               "/GRNOD/NODE      14\n/SURF/PART/EXT/5\n/END\n");
+    const auto blocks = deck.blocks();
+    CHECK(keywords(deck) == Words{"BEGIN", "GRNOD/NODE", "BCS", "PROP/SH_SANDW", "MAT/LAW2", "INTER/TYPE8",
+                                  "SHFRA/V4", "TITLE", "ANALY", "GRNOD/NODE", "SURF/PART/EXT"});
+    CHECK(blocks[1].id == 12);
+    CHECK(blocks[2].id == 1);
+    CHECK(blocks[2].unit == 0);
+    CHECK(blocks[3].id == 2);
+    CHECK(blocks[4].id == 1);
+    CHECK(blocks[4].unit == 3);
+    CHECK(blocks[5].id == 7);
+    CHECK_FALSE(blocks[6].id_given);
+    CHECK(blocks[6].id == 1);
+    CHECK(blocks[9].id == 14);
+    CHECK(blocks[10].id == 5);
+}
+
+TEST_CASE("an include is transparent for the block around it, and its loose text is dropped") {
+    MemoryReader files;
+    files.add("mesh", "         9\n# licence\n/NODE\n         1\n");
+    const Deck deck =
+        read_deck(begin_2022 + "/GRNOD/NODENS/1\nline\n         1\n#include mesh\n         2\n/END\n", files);
+    CHECK(keywords(deck) == Words{"BEGIN", "GRNOD/NODENS", "NODE"});
+    DataLines lines(deck, deck.blocks()[1]);
+    Span line;
+    Words read;
+    while (lines.next(line))
+        read.emplace_back(lines.text(line));
+    CHECK(read == Words{"line", "         1", "         2"});
+    CHECK(count(deck, Notice::Kind::include_text_dropped) == 1);
+    REQUIRE(deck.files().size() == 2);
+    CHECK(deck.files()[1]->path() == "mesh");
+}
+
+TEST_CASE("licence texts dropped from an include are not reported") {
+    MemoryReader files;
+    files.add("qadiags.inc", "Copyright of somebody\nAll rights\n");
+    const Deck deck = read_deck(begin_2022 + "#include qadiags.inc\n/END\n", files);
+    CHECK(deck.notices().empty());
+}
+
+TEST_CASE("include paths: relative to the including file, then to the main one; quotes and continuations") {
+    MemoryReader files;
+    files.add("sub/a.inc", "#include b.inc\n#include main_side.inc\n");
+    files.add("sub/b.inc", "/A/1\n");
+    files.add("main_side.inc", "/B/1\n");
+    const Deck deck =
+        read_deck(begin_2022 + "#include 'sub/&\na.inc'\n#INCLUDE sub/\n+b.inc\n/C/1\n/END\n", files);
+    CHECK(keywords(deck) == Words{"BEGIN", "A", "B", "A", "C"});
+    CHECK(deck.notices().empty());
+    CHECK(deck.files().size() == 4);
+}
+
+TEST_CASE("includes that cannot be followed are noticed and the rest is read") {
+    MemoryReader files;
+    files.add("loop.inc", "/A/1\n#include loop.inc\n#include main_0000.rad\n/B/1\n");
+    files.add("twice.inc", "#include four.inc\n#include four.inc\n");
+    files.add("four.inc", "/F/1\n");
+    const Deck deck = read_deck(
+        begin_2022 + "#include none.inc\n#include loop.inc\n#include twice.inc\n/C/1\n/END\n", files);
+    CHECK(keywords(deck) == Words{"BEGIN", "A", "B", "F", "F", "C"});
+    CHECK(count(deck, Notice::Kind::include_missing) == 1);
+    CHECK(count(deck, Notice::Kind::include_cycle) == 2);
+}
+
+TEST_CASE("doubling includes stop at the limit instead of exploding") {
+    MemoryReader files;
+    for (int i = 0; i < 40; ++i)
+        files.add("d" + std::to_string(i),
+                  "#include d" + std::to_string(i + 1) + "\n#include d" + std::to_string(i + 1) + "\n");
+    files.add("d40", "/A/1\n");
+    ReadOptions options;
+    options.max_files = 500;
+    const Deck deck = read_deck(begin_2022 + "#include d0\n/END\n", files, options);
+    CHECK(count(deck, Notice::Kind::include_too_deep) >= 1);
+}
+
+TEST_CASE("/END ends its own file; /END/ENGINE and text after /END do not count") {
+    MemoryReader files;
+    files.add("a.inc", "/A/1\n/END\n/GONE/1\n");
+    const Deck deck = read_deck(
+        "# RADIOSS\n/RUN/x/1\n0.1\n/END/ENGINE\n" + begin_2022 + "#include a.inc\n/B/1\n/END\n/C/1\n", files);
+    CHECK(keywords(deck) == Words{"BEGIN", "A", "B"});
+    CHECK(count(deck, Notice::Kind::end_missing) == 0);
+    CHECK(count(read_deck(begin_2022 + "/A/1\n"), Notice::Kind::end_missing) == 1);
+}
+
+TEST_CASE("submodel offsets as measured in the solver, nested ones add up") {
+    const Deck deck =
+        read_deck(begin_2022 + "//SUBMODEL/1\nsub\n       100       200         0       400       500"
+                               "       600       700\n/A/1\n//SUBMODEL/2\n\n      1000\n/B/1\n//ENDSUB\n"
+                               "/C/1\n//ENDSUB\n/D/1\n/END\n");
+    const auto blocks = deck.blocks();
+    REQUIRE(keywords(deck) == Words{"BEGIN", "/SUBMODEL", "A", "/SUBMODEL", "B", "C", "D"});
+    const Offsets a = deck.scope(blocks[2].scope).offsets;
+    CHECK(a == Offsets{100, 200, 100, 400, 500, 600, 700});
+    const Offsets b = deck.scope(blocks[4].scope).offsets;
+    CHECK(b == Offsets{1100, 1200, 1100, 1400, 1500, 1600, 1700});
+    CHECK(deck.scope(blocks[4].scope).submodel == 702);
+    CHECK(deck.scope(blocks[5].scope).offsets == a);
+    CHECK(deck.scope(blocks[6].scope).offsets == Offsets{});
+    CHECK(Deck::global_id(-5, 100) == -105);
+    CHECK(Deck::global_id(0, 100) == 0);
+}
+
+TEST_CASE("units: input against work, /UNIT, blank cards, old keywords") {
+    const std::string head =
+        "/BEGIN\nrun\n      2022         0\n                  kg                   m                   s\n";
+    const Deck both =
+        read_deck(head + "                  Mg                  mm                   s\n/UNIT/7\nu\n"
+                         "                   g                  cm                  ms\n/A/1\n/END\n");
+    const ScopeId root{0};
+    CHECK(*both.factor(root, 0, length_dimension) == Approx(1000));
+    CHECK(*both.factor(root, 0, pressure_dimension) == Approx(1e-6));
+    CHECK(*both.factor(root, 7, length_dimension) == Approx(10));
+    CHECK_FALSE(both.factor(root, 8, length_dimension));
+    const Deck blank = read_deck(head + "\t\n/A/1\n/END\n");
+    CHECK(*blank.factor(root, 0, length_dimension) == 1);
+    CHECK(blank.work_units().length_name == "m");
+    const Deck old =
+        read_deck("/BEGIN\nrun\n        90         0\n/UNIT/LENGTH/mm\n/UNIT/MASS/Mg\n/UNIT/TIME/s\n/END\n");
+    CHECK(old.root().layout == 90);
+    CHECK(unit_name(old.work_units(), force_per_length_dimension) == "N/mm");
+    const Deck wrong = read_deck("/BEGIN\nrun\n      2022         0\n                 ton                  "
+                                 "mm                   s\n/END\n");
+    CHECK(count(wrong, Notice::Kind::unit_not_understood) >= 1);
+}
+
+TEST_CASE("files that are no decks are told apart") {
+    MemoryReader files;
+    files.add("empty", "");
+    files.add("binary", std::string("\x7f\0\0ELF", 6));
+    files.add("text", "hello\n");
+    CHECK(Deck::read("empty", files).error().message == "the file is empty");
+    CHECK(Deck::read("binary", files).error().message == "the file is binary, not a starter deck");
+    CHECK(Deck::read("text", files).error().message ==
+          "no /BEGIN keyword: the solver reads nothing of this file");
+    CHECK(Deck::read("gone", files).error().message == "cannot read 'gone': No such file or directory");
+}
+
+TEST_CASE("indented keywords, CRLF, lower case") {
+    const Deck deck =
+        read_deck("/BEGIN\r\nrun\r\n      2022         0\r\n  /A/1\r\n1\r\n/node/3\r\n/END\r\n");
+    CHECK(keywords(deck) == Words{"BEGIN", "A", "node"});
+    CHECK(count(deck, Notice::Kind::keyword_indented) == 1);
+    DataLines lines(deck, deck.blocks()[1]);
+    Span line;
+    REQUIRE(lines.next(line));
+    CHECK(lines.text(line) == "1");
+    CHECK_FALSE(lines.next(line));
+}
