@@ -56,7 +56,7 @@ def measure(tool, deck, runs, options):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("decks", nargs="+", metavar="DECK")
-    parser.add_argument("--tool", default=str(DEFAULT_TOOL), help="the drawbead to run (default: that of preset release)")
+    parser.add_argument("--tool", default=str(DEFAULT_TOOL), help="drawbead to run (default: of preset release)")
     parser.add_argument("--runs", type=int, default=11)
     parser.add_argument("--option", action="append", default=[], help="passed on to `drawbead check`; may be repeated")
     parser.add_argument("--json", type=Path, help="also write the numbers to this file")
