@@ -1,5 +1,6 @@
 #pragma once
-// A fuzzing input as several files: text up to a line "#%%NAME" is the main deck, what follows is a file of that name.
+// A fuzzing input as several files: text up to a line "#%%NAME" is the main deck, what follows is a file of
+// that name.
 #include "deck/file_reader.h"
 
 #include <cstdint>

@@ -28,14 +28,16 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, std::size_t size) {
         require(notice.place.end <= deck->file(notice.place.file).bytes().size());
     }
     for (const Block& block : deck->blocks()) {
-        require(block.text.begin <= block.text.end || block.text.begin == deck->file(block.text.file).bytes().size());
+        require(block.text.begin <= block.text.end ||
+                block.text.begin == deck->file(block.text.file).bytes().size());
         DataLines lines(*deck, block);
         Span line;
         while (lines.next(line)) {
             require(line.begin <= line.end && line.end <= deck->file(line.file).bytes().size());
             const Card card = read_card(*deck, block.scope, line, schema);
             for (const Cell& cell : card.cells)
-                require(cell.place.begin <= cell.place.end && cell.place.end <= deck->file(line.file).bytes().size());
+                require(cell.place.begin <= cell.place.end &&
+                        cell.place.end <= deck->file(line.file).bytes().size());
         }
     }
     return 0;
