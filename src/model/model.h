@@ -37,6 +37,7 @@ struct ReadIssue {
         not_finite,
         unknown_parameter,
         id_overflow,
+        id_missing,   ///< a table row whose id is 0, blank or negative; it is left out
         duplicate_id, ///< subject: family and id; related: the first definition
         unknown_unit,
         unknown_node,     ///< an element's node does not exist
@@ -51,6 +52,7 @@ struct ReadIssue {
     std::string subject;
     std::string detail;
     Span related;
+    uint64_t count = 1; ///< how many alike this one stands for: lists are cut, the last one listed counts the rest
 };
 
 struct Counts {

@@ -14,11 +14,11 @@
 
 namespace drawbead {
 
-/// Rows [row_begin, row_end) of a table come from the lines of one piece of one block, in order.
+/// Rows [row_begin, row_end) of a table come from consecutive data lines (neither comment nor blank) of one block.
 struct RowPiece {
     uint32_t row_begin = 0, row_end = 0;
     uint32_t block = 0;      ///< index into Deck::blocks()
-    uint64_t byte_begin = 0; ///< first byte of the piece's text
+    uint64_t byte_begin = 0; ///< start of a line in the block's file
     uint32_t lines_per_row = 1;
 };
 
