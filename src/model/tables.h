@@ -25,6 +25,19 @@ struct RowPiece {
 /// The data line of a row: one local scan from the start of its piece.
 Span row_line(const Deck&, std::span<const RowPiece> pieces, uint32_t row);
 
+/// row_line for many rows: ascending rows of a piece are found in one scan.
+class RowLines {
+public:
+    RowLines(const Deck& deck, std::span<const RowPiece> pieces) : deck_(&deck), pieces_(pieces) {}
+    Span line(uint32_t row);
+
+private:
+    const Deck* deck_;
+    std::span<const RowPiece> pieces_;
+    uint32_t row_ = 0xffffffffu; ///< found last, and where
+    uint64_t byte_ = 0;
+};
+
 struct NodeTable {
     Buffer<uint32_t> id; ///< user ids (global: with offsets)
     Buffer<Vec3> x;      ///< coordinates after /TRANSFORM, work length unit
@@ -64,10 +77,10 @@ enum class SolidKind : uint8_t { brick, tetra4, penta6, tetra10, bric20, shel16 
 /// Solids by their 8 corners: a tetra repeats nodes as the solver stores it, mid-side nodes of tetra10 in
 /// `mid`.
 struct SolidTable {
-    std::vector<uint32_t> id;
-    std::vector<std::array<NodeRow, 8>> nodes; ///< tetra: n1 n2 n3 n4 then no_node; penta: six, then no_node
-    std::vector<SolidKind> kind;
-    std::vector<std::array<NodeRow, 6>> mid; ///< parallel to `nodes` only when any tetra10 exists, else empty
+    Buffer<uint32_t> id;
+    Buffer<std::array<NodeRow, 8>> nodes; ///< tetra: n1 n2 n3 n4 then no_node; penta: six, then no_node
+    Buffer<SolidKind> kind;
+    Buffer<std::array<NodeRow, 6>> mid; ///< parallel to `nodes` only when any tetra10 exists, else empty
     std::vector<ElementRange> ranges;
     std::vector<RowPiece> pieces;
     IdMap map;
