@@ -13,7 +13,9 @@ namespace {
 
 constexpr std::size_t piece_size = std::size_t{1} << 17;
 
-std::size_t pieces_of(std::size_t count) { return (count + piece_size - 1) / piece_size; }
+std::size_t pieces_of(std::size_t count) {
+    return (count + piece_size - 1) / piece_size;
+}
 
 /// What one look at all ids tells.
 struct Range {
@@ -51,7 +53,8 @@ Range range_of(std::span<const uint32_t> ids, unsigned threads) {
 void clear(Buffer<uint32_t>& table, unsigned threads) {
     parallel_for(threads, pieces_of(table.size()), [&](std::size_t piece) {
         const std::size_t begin = piece * piece_size;
-        std::memset(table.data() + begin, 0xff, std::min(piece_size, table.size() - begin) * sizeof(uint32_t));
+        std::memset(table.data() + begin, 0xff,
+                    std::min(piece_size, table.size() - begin) * sizeof(uint32_t));
     });
 }
 
@@ -91,17 +94,19 @@ void IdMap::fill(std::span<const uint32_t> ids, std::size_t given, unsigned thre
                     std::atomic_ref(table_[slot(ids[row])])
                         .store(static_cast<uint32_t>(row), std::memory_order_relaxed);
         });
-        // Every id has a slot of its own exactly when as many slots are taken as there are ids. If not, the threads
-        // may have met in a slot: then the order of rows decides below.
+        // Every id has a slot of its own exactly when as many slots are taken as there are ids. If not, the
+        // threads may have met in a slot: then the order of rows decides below.
         std::vector<std::size_t> taken(pieces_of(table_.size()));
         parallel_for(threads, taken.size(), [&](std::size_t piece) {
             const std::size_t begin = piece * piece_size, end = std::min(begin + piece_size, table_.size());
             uint32_t count = 0;
-            for (std::size_t i = begin; i < end; ++i) count += table_[i] != none;
+            for (std::size_t i = begin; i < end; ++i)
+                count += table_[i] != none;
             taken[piece] = count;
         });
         std::size_t total = 0;
-        for (std::size_t count : taken) total += count;
+        for (std::size_t count : taken)
+            total += count;
         if (total == given) return;
     }
     clear(table_, threads);
@@ -145,7 +150,8 @@ void IdMap::make_hash(std::span<const uint32_t> ids, std::size_t given) {
         const uint32_t id = ids[row];
         if (id == 0) continue;
         std::size_t at = (id * spread) >> shift_;
-        while (hashed_[at].id != 0 && hashed_[at].id != id) at = (at + 1) & (size - 1);
+        while (hashed_[at].id != 0 && hashed_[at].id != id)
+            at = (at + 1) & (size - 1);
         if (hashed_[at].id == id)
             duplicates_.push_back(static_cast<uint32_t>(row));
         else

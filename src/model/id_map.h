@@ -7,9 +7,9 @@
 
 namespace drawbead {
 
-/// Ids to rows of one table: arithmetic when ids are consecutive, else a dense table over their range, else pages of
-/// 4096 ids, else (ids scattered far and wide) a hash table. Never a search. Duplicate ids keep the first row and are
-/// listed.
+/// Ids to rows of one table: arithmetic when ids are consecutive, else a dense table over their range, else
+/// pages of 4096 ids, else (ids scattered far and wide) a hash table. Never a search. Duplicate ids keep the
+/// first row and are listed.
 class IdMap {
 public:
     static constexpr uint32_t none = 0xffffffffu;
@@ -30,7 +30,8 @@ public:
     /// Rows whose id another, earlier row has too, ascending.
     std::span<const uint32_t> duplicates() const { return duplicates_; }
     std::size_t bytes() const {
-        return (table_.capacity() + pages_.capacity()) * sizeof(uint32_t) + hashed_.capacity() * sizeof(Entry);
+        return (table_.capacity() + pages_.capacity()) * sizeof(uint32_t) +
+               hashed_.capacity() * sizeof(Entry);
     }
 
 private:
@@ -52,9 +53,9 @@ private:
     void fill(std::span<const uint32_t> ids, std::size_t given, unsigned threads, const Slot& slot);
 
     Form form_ = Form::consecutive;
-    uint32_t first_ = 1; ///< the smallest id
-    uint32_t count_ = 0; ///< ids from the smallest to the largest
-    uint32_t shift_ = 0; ///< of the hash
+    uint32_t first_ = 1;     ///< the smallest id
+    uint32_t count_ = 0;     ///< ids from the smallest to the largest
+    uint32_t shift_ = 0;     ///< of the hash
     Buffer<uint32_t> table_; ///< dense or paged: rows
     Buffer<uint32_t> pages_; ///< paged: number of the page in `table_`, or none
     Buffer<Entry> hashed_;   ///< a power of two, at most half full; id 0: empty

@@ -10,8 +10,10 @@ namespace {
 
 /// Without blanks on both sides.
 std::string_view without_blanks(std::string_view cell) {
-    while (!cell.empty() && cell.front() == ' ') cell.remove_prefix(1);
-    while (!cell.empty() && cell.back() == ' ') cell.remove_suffix(1);
+    while (!cell.empty() && cell.front() == ' ')
+        cell.remove_prefix(1);
+    while (!cell.empty() && cell.back() == ' ')
+        cell.remove_suffix(1);
     return cell;
 }
 
@@ -46,8 +48,13 @@ bool read_node_line(std::string_view line, CellWidths widths, NodeRows& rows) {
 
 bool read_id_line(std::string_view line, CellWidths widths, IdRows& rows) {
     uint32_t* values = rows.values + rows.count * rows.cells;
-    if (!plain_integers(line, widths, rows.cells, values) || values[0] == 0) return false;
-    if (!is_blank(columns(line, widths.integer * rows.cells, line.size()))) return false;
+    for (uint32_t cell = 0; cell < rows.cells; ++cell)
+        if (!plain_integer(columns(line, cell * widths.integer, widths.integer), values[cell])) return false;
+    if (values[0] == 0) return false;
+    std::string_view more = columns(line, widths.integer * rows.cells, line.size());
+    if (is_blank(more)) more = {};
+    if (more.find(',') != std::string_view::npos) return false;
+    rows.more[rows.count] = more;
     ++rows.count;
     return true;
 }
@@ -60,7 +67,8 @@ std::string_view take_line(const char* at, const char* end, const char*& next) {
     return {at, static_cast<std::size_t>(stop - at)};
 }
 
-/// `wide` takes as many lines as it can; the line that it does not take is tried by `single`, which may stop the run.
+/// `wide` takes as many lines as it can; the line that it does not take is tried by `single`, which may stop
+/// the run.
 template <class Rows, class Wide, class Single>
 void read_lines(LineRange& range, Rows& rows, const Wide& wide, const Single& single) {
     while (range.at < range.end && rows.count < rows.capacity) {
@@ -82,8 +90,8 @@ Kernel best_kernel() {
 bool runs_here(Kernel kernel) {
     if (kernel == Kernel::portable) return true;
 #if defined(__x86_64__)
-    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2") &&
-           __builtin_cpu_supports("popcnt");
+    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") &&
+           __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("popcnt");
 #else
     return false;
 #endif
@@ -112,12 +120,6 @@ uint64_t count_data_lines(std::string_view text) {
     return count;
 }
 
-bool plain_integers(std::string_view line, CellWidths widths, uint32_t cells, uint32_t* values) {
-    for (uint32_t cell = 0; cell < cells; ++cell)
-        if (!plain_integer(columns(line, cell * widths.integer, widths.integer), values[cell])) return false;
-    return true;
-}
-
 bool plain_real(std::string_view cell, double& value) {
     cell = without_blanks(cell);
     if (cell.empty()) {
@@ -132,7 +134,9 @@ bool plain_real(std::string_view cell, double& value) {
 }
 
 void read_node_lines(Kernel kernel, CellWidths widths, LineRange& range, NodeRows& rows) {
-    const auto single = [widths](std::string_view line, NodeRows& to) { return read_node_line(line, widths, to); };
+    const auto single = [widths](std::string_view line, NodeRows& to) {
+        return read_node_line(line, widths, to);
+    };
 #if defined(__x86_64__)
     if (kernel == Kernel::avx2 && widths.integer == 10 && widths.real == 20) {
         read_lines(range, rows, read_node_lines_avx2, single);
@@ -140,11 +144,14 @@ void read_node_lines(Kernel kernel, CellWidths widths, LineRange& range, NodeRow
     }
 #endif
     static_cast<void>(kernel);
-    read_lines(range, rows, [](LineRange&, NodeRows&) {}, single);
+    read_lines(
+        range, rows, [](LineRange&, NodeRows&) {}, single);
 }
 
 void read_id_lines(Kernel kernel, CellWidths widths, LineRange& range, IdRows& rows) {
-    const auto single = [widths](std::string_view line, IdRows& to) { return read_id_line(line, widths, to); };
+    const auto single = [widths](std::string_view line, IdRows& to) {
+        return read_id_line(line, widths, to);
+    };
 #if defined(__x86_64__)
     if (kernel == Kernel::avx2 && widths.integer == 10 && (rows.cells == 4 || rows.cells == 5)) {
         read_lines(range, rows, read_id_lines_avx2, single);
@@ -152,7 +159,8 @@ void read_id_lines(Kernel kernel, CellWidths widths, LineRange& range, IdRows& r
     }
 #endif
     static_cast<void>(kernel);
-    read_lines(range, rows, [](LineRange&, IdRows&) {}, single);
+    read_lines(
+        range, rows, [](LineRange&, IdRows&) {}, single);
 }
 
 } // namespace drawbead

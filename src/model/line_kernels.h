@@ -1,7 +1,8 @@
 #pragma once
-// Plain lines of node and element tables, read at memory speed. A kernel checks what it reads: it stops at the first
-// line that is not plain (a comment, a blank line, a sign before an id, a tab, a parameter, a comma, text after the
-// last cell …) and leaves that line to an exact reader. Within plain lines all kernels give the same bits.
+// Plain lines of node and element tables, read at memory speed. A kernel checks what it reads: it stops at
+// the first line that is not plain (a comment, a blank line, a sign before an id, a tab, a parameter, a
+// comma, text after the last cell …) and leaves that line to an exact reader. Within plain lines all kernels
+// give the same bits.
 #include "geometry/vec3.h"
 
 #include <cstddef>
@@ -23,8 +24,8 @@ struct CellWidths {
 
 inline constexpr uint32_t largest_id = 0x7fffffff;
 
-/// Lines to read: [at, end) inside the bytes of a file, which may all be touched. `at` is a line start and moves on to
-/// the line where the kernel stopped, or to `end`; `end` is a line start or the end of the file.
+/// Lines to read: [at, end) inside the bytes of a file, which may all be touched. `at` is a line start and
+/// moves on to the line where the kernel stopped, or to `end`; `end` is a line start or the end of the file.
 struct LineRange {
     const char* at = nullptr;
     const char* end = nullptr;
@@ -40,24 +41,23 @@ struct NodeRows {
     double factor = 1;
 };
 
-/// Reads id, x, y, z of consecutive plain lines. Stops also at an id that is not in 1 … largest_id with its offset.
+/// Reads id, x, y, z of consecutive plain lines. Stops also at an id that is not in 1 … largest_id with its
+/// offset.
 void read_node_lines(Kernel, CellWidths, LineRange&, NodeRows&);
 
 /// Where lines of `cells` integers go, one after the other, as written; a blank cell is 0.
 struct IdRows {
     uint32_t* values = nullptr;
+    std::string_view* more = nullptr; ///< per line: the text after the last cell, empty when blank
     uint32_t cells = 0;
     std::size_t capacity = 0, count = 0; ///< in lines
 };
 
-/// Reads integers 0 … largest_id of consecutive plain lines. Stops also at a line whose first cell is 0 or blank.
+/// Reads integers 0 … largest_id of consecutive plain lines, which may have text without a comma after the
+/// last cell. Stops also at a line whose first cell is 0 or blank.
 void read_id_lines(Kernel, CellWidths, LineRange&, IdRows&);
 
-// Single lines, without their line end; false when not plain.
-
-/// The first `cells` integers of a line; what follows them is not looked at.
-bool plain_integers(std::string_view line, CellWidths, uint32_t cells, uint32_t* values);
-/// A real cell, blanks around it allowed, correctly rounded; a blank cell is 0.
+/// A real cell, blanks around it allowed, correctly rounded; a blank cell is 0. False when it is not plain.
 bool plain_real(std::string_view cell, double& value);
 
 /// The part of `line` in the columns [column, column + width), counted from 0; empty beyond the line's end.
@@ -68,7 +68,8 @@ inline std::string_view columns(std::string_view line, std::size_t column, std::
 bool is_blank(std::string_view text);
 /// A line that the tables skip: a comment, or blank.
 inline bool is_skipped(std::string_view line) {
-    return line.empty() || line.front() == '#' || line.front() == '$' || (line.front() <= ' ' && is_blank(line));
+    return line.empty() || line.front() == '#' || line.front() == '$' ||
+           (line.front() <= ' ' && is_blank(line));
 }
 /// Number of data lines: neither comment nor blank.
 uint64_t count_data_lines(std::string_view text);

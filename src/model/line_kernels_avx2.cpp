@@ -1,5 +1,5 @@
-// Lines of 10-column integers and 20-column reals with AVX2, chosen at run time. Instructions of the wider set stay
-// inside functions that are marked for it, so the rest of the program runs anywhere.
+// Lines of 10-column integers and 20-column reals with AVX2, chosen at run time. Instructions of the wider
+// set stay inside functions that are marked for it, so the rest of the program runs anywhere.
 #include "model/line_kernels.h"
 
 #if defined(__x86_64__)
@@ -14,19 +14,21 @@ namespace drawbead {
 namespace {
 
 /// 16 bytes from `last_bytes + n` on: the last n of them set.
-alignas(32) constexpr uint8_t last_bytes[32] = {0,    0,    0,    0,    0,    0,    0,    0,    0,    0,    0,
-                                                0,    0,    0,    0,    0,    0xff, 0xff, 0xff, 0xff, 0xff, 0xff,
-                                                0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff};
+alignas(32) constexpr uint8_t last_bytes[32] = {
+    0,    0,    0,    0,    0,    0,    0,    0,    0,    0,    0,    0,    0,    0,    0,    0,
+    0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff};
 
-/// Powers of ten that a double holds exactly: with a mantissa below 2^53, one multiplication or division by them is
-/// correctly rounded.
+/// Powers of ten that a double holds exactly: with a mantissa below 2^53, one multiplication or division by
+/// them is correctly rounded.
 constexpr double power_of_ten[23] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
                                      1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 
 /// Bytes that a kernel may touch around the line at hand.
 constexpr std::ptrdiff_t bytes_before = 16, bytes_after = 96;
 
-DRAWBEAD_WIDE_INLINE __m128i load(const void* at) { return _mm_loadu_si128(static_cast<const __m128i*>(at)); }
+DRAWBEAD_WIDE_INLINE __m128i load(const void* at) {
+    return _mm_loadu_si128(static_cast<const __m128i*>(at));
+}
 DRAWBEAD_WIDE_INLINE __m256i load_wide(const void* at) {
     return _mm256_loadu_si256(static_cast<const __m256i*>(at));
 }
@@ -49,7 +51,8 @@ DRAWBEAD_WIDE_INLINE __m256i join_digits(__m256i a, __m256i b) {
     const __m256i b4 = _mm256_madd_epi16(_mm256_maddubs_epi16(b, tens), hundreds);
     const __m256i four = _mm256_packus_epi32(a4, b4);
     const __m256i eight = _mm256_madd_epi16(four, _mm256_set1_epi32(0x00012710)); // 10000, 1
-    return _mm256_add_epi64(_mm256_mul_epu32(eight, _mm256_set1_epi64x(100000000)), _mm256_srli_epi64(eight, 32));
+    return _mm256_add_epi64(_mm256_mul_epu32(eight, _mm256_set1_epi64x(100000000)),
+                            _mm256_srli_epi64(eight, 32));
 }
 
 /// A real as written: the digits right-aligned without the point, value = digits · 10^exponent.
@@ -59,8 +62,8 @@ struct Decimal {
     bool negative;
 };
 
-/// Takes apart a cell of 20 columns: blanks, sign, digits with at most one point, exponent with a letter, blanks.
-/// False when the cell is blank, is not of that form, or has more than 16 digits.
+/// Takes apart a cell of 20 columns: blanks, sign, digits with at most one point, exponent with a letter,
+/// blanks. False when the cell is blank, is not of that form, or has more than 16 digits.
 DRAWBEAD_WIDE_INLINE bool take_apart(const char* cell, Decimal& out) {
     constexpr uint32_t columns20 = (1u << 20) - 1;
     const __m256i text = load_wide(cell);
@@ -113,22 +116,33 @@ DRAWBEAD_WIDE_INLINE double value_of(uint64_t mantissa, const Decimal& d) {
     return d.negative ? -value : value;
 }
 
-DRAWBEAD_WIDE_INLINE bool exact(const Decimal& d) { return static_cast<uint32_t>(d.exponent + 22) <= 44; }
+DRAWBEAD_WIDE_INLINE bool exact(const Decimal& d) {
+    return static_cast<uint32_t>(d.exponent + 22) <= 44;
+}
 
 /// The start of the line after the blanks at `at`; nullptr when there is something else before the newline.
 DRAWBEAD_WIDE_INLINE const char* after_blanks(const char* at, const char* end) {
-    while (at < end && (*at == ' ' || *at == '\r' || *at == '\t')) ++at;
+    while (at < end && (*at == ' ' || *at == '\r' || *at == '\t'))
+        ++at;
     return at < end && *at == '\n' ? at + 1 : nullptr;
+}
+
+/// The start of the line after the text at `at`, and that text; nullptr when it holds a comma.
+const char* after_text(const char* at, const char* end, std::string_view& text) {
+    const char* const stop = line_end(at, end);
+    if (stop == end) return nullptr;
+    text = {at, static_cast<std::size_t>(stop - at - (stop[-1] == '\r'))};
+    return text.find(',') == std::string_view::npos ? stop + 1 : nullptr;
 }
 
 template <uint32_t cells>
 DRAWBEAD_WIDE void read_cells(LineRange& range, IdRows& rows) {
     constexpr uint64_t filled_columns = (uint64_t{1} << 10 * cells) - 1;
-    constexpr uint64_t last_columns = 
+    constexpr uint64_t last_columns =
         (uint64_t{1} << 9 | uint64_t{1} << 19 | uint64_t{1} << 29 | uint64_t{1} << 39 | uint64_t{1} << 49) &
         filled_columns;
-    const __m256i align = _mm256_setr_epi8(-1, -1, -1, -1, -1, -1, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, -1, -1, -1, -1,
-                                           -1, -1, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9);
+    const __m256i align = _mm256_setr_epi8(-1, -1, -1, -1, -1, -1, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, -1, -1, -1,
+                                           -1, -1, -1, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9);
     const __m256i low = _mm256_set1_epi8(0x0f); // '0' … '9' to 0 … 9, and a blank to 0
     if (range.file.size() < bytes_after) return;
     const char* at = range.at;
@@ -138,11 +152,16 @@ DRAWBEAD_WIDE void read_cells(LineRange& range, IdRows& rows) {
     while (at < end && at <= safe && count < rows.capacity) {
         const __m256i first = load_wide(at), second = load_wide(at + 32);
         const uint64_t digits = (digits_in(first) | uint64_t{digits_in(second)} << 32) & filled_columns;
-        const uint64_t filled = ~(equal_in(first, ' ') | uint64_t{equal_in(second, ' ')} << 32) & filled_columns;
+        const uint64_t filled =
+            ~(equal_in(first, ' ') | uint64_t{equal_in(second, ' ')} << 32) & filled_columns;
         // Only digits, and after a digit a blank only where a cell ends.
         if (filled != digits || (filled & ~(filled >> 1) & ~last_columns)) break;
-        const char* const next = at[10 * cells] == '\n' ? at + 10 * cells + 1 : after_blanks(at + 10 * cells, end);
-        if (!next) break;
+        std::string_view more;
+        const char* next = at[10 * cells] == '\n' ? at + 10 * cells + 1 : after_blanks(at + 10 * cells, end);
+        if (!next) {
+            next = after_text(at + 10 * cells, end, more);
+            if (!next) break;
+        }
         const __m256i c01 = _mm256_inserti128_si256(_mm256_castsi128_si256(load(at)), load(at + 10), 1);
         const __m256i c23 = _mm256_inserti128_si256(_mm256_castsi128_si256(load(at + 20)), load(at + 30), 1);
         alignas(32) uint64_t value[4]; // cells 0, 2, 1, 3
@@ -164,6 +183,7 @@ DRAWBEAD_WIDE void read_cells(LineRange& range, IdRows& rows) {
         to[1] = static_cast<uint32_t>(value[2]);
         to[2] = static_cast<uint32_t>(value[1]);
         to[3] = static_cast<uint32_t>(value[3]);
+        rows.more[count] = more;
         ++count;
         at = next;
     }

@@ -1,6 +1,7 @@
 #include "model/table_reader.h"
 
 #include "base/parallel.h"
+#include "deck/keyword_line.h"
 #include "model/line_kernels.h"
 
 #include <algorithm>
@@ -17,7 +18,8 @@ namespace {
 constexpr uint64_t piece_bytes = uint64_t{4} << 20;
 constexpr uint32_t most_cells = 10;
 
-// ------------------------------------------------------------------------------------------------ cards as data
+// ------------------------------------------------------------------------------------------------ cards as
+// data
 
 constexpr int last_narrow_layout = 50; ///< 41, 42, 44: 8-column integers and 16-column reals
 
@@ -42,10 +44,12 @@ constexpr auto element_fields(std::size_t first = 0) {
     std::array<Field, 2 * (count + (shell ? 2 : 0))> fields{};
     std::size_t at = 0;
     for (const uint8_t width : {uint8_t{8}, uint8_t{10}}) {
-        const int since = width == 8 ? 0 : last_narrow_layout + 1, until = width == 8 ? last_narrow_layout : newest_layout;
+        const int since = width == 8 ? 0 : last_narrow_layout + 1,
+                  until = width == 8 ? last_narrow_layout : newest_layout;
         const auto column = [width](std::size_t cell) { return static_cast<uint8_t>(1 + cell * width); };
         for (std::size_t i = 0; i < count; ++i)
-            fields[at++] = {cell_names[first + i], column(i), width, Kind::integer, dimensionless, since, until};
+            fields[at++] = {cell_names[first + i], column(i), width, Kind::integer,
+                            dimensionless,         since,     until};
         if (shell) {
             const auto real = static_cast<uint8_t>(2 * width);
             fields[at++] = {"Phi", column(6), real, Kind::real, dimensionless, since, until};
@@ -62,9 +66,9 @@ constexpr auto fields_5 = element_fields<5>();
 constexpr auto fields_7 = element_fields<7>();
 constexpr auto fields_9 = element_fields<9>();
 constexpr auto tetra10_fields = element_fields<10>(1);
-constexpr CardSchema shell4_card{"shell", shell4_fields}, shell3_card{"sh3n", shell3_fields}, id_card{"element", fields_1},
-    tetra4_card{"tetra4", fields_5}, penta6_card{"penta6", fields_7}, brick_card{"brick", fields_9},
-    tetra10_nodes_card{"tetra10 nodes", tetra10_fields};
+constexpr CardSchema shell4_card{"shell", shell4_fields}, shell3_card{"sh3n", shell3_fields},
+    id_card{"element", fields_1}, tetra4_card{"tetra4", fields_5}, penta6_card{"penta6", fields_7},
+    brick_card{"brick", fields_9}, tetra10_nodes_card{"tetra10 nodes", tetra10_fields};
 
 enum class Target : uint8_t { nodes, shells4, shells3, solids };
 
@@ -114,7 +118,9 @@ public:
     bool full(ReadIssue::Kind kind) const {
         return entries_[static_cast<std::size_t>(kind)].listed.size() == issue_limit;
     }
-    void count(ReadIssue::Kind kind, uint64_t more) { entries_[static_cast<std::size_t>(kind)].total += more; }
+    void count(ReadIssue::Kind kind, uint64_t more) {
+        entries_[static_cast<std::size_t>(kind)].total += more;
+    }
     void append(Issues&& later) {
         for (std::size_t kind = 0; kind < kinds; ++kind) {
             Entry &to = entries_[kind], &from = later.entries_[kind];
@@ -127,7 +133,8 @@ public:
         for (Entry& entry : entries_) {
             if (entry.listed.empty()) continue;
             entry.listed.back().count = entry.total - (entry.listed.size() - 1);
-            for (ReadIssue& issue : entry.listed) out.push_back(std::move(issue));
+            for (ReadIssue& issue : entry.listed)
+                out.push_back(std::move(issue));
         }
     }
 
@@ -140,7 +147,8 @@ private:
     std::array<Entry, kinds> entries_;
 };
 
-// ------------------------------------------------------------------------------------------------ pieces of text
+// ------------------------------------------------------------------------------------------------ pieces of
+// text
 
 /// A table block and what its numbers mean.
 struct Source {
@@ -159,11 +167,11 @@ struct Piece {
     uint32_t source = 0;
     Span text; ///< begins at a line start, ends at one or at the end of the file
 
-    uint64_t lines = 0;      ///< data lines
-    uint32_t skip = 0;       ///< data lines at the begin that belong to the last row of the piece before
-    std::size_t place = 0;   ///< first row of the room that the table keeps for it
-    std::size_t room = 0;    ///< rows at most
-    std::size_t rows = 0;    ///< rows stored
+    uint64_t lines = 0;    ///< data lines
+    uint32_t skip = 0;     ///< data lines at the begin that belong to the last row of the piece before
+    std::size_t place = 0; ///< first row of the room that the table keeps for it
+    std::size_t room = 0;  ///< rows at most
+    std::size_t rows = 0;  ///< rows stored
     std::vector<RowPiece> row_pieces; ///< rows counted from `place`
     std::vector<std::pair<uint32_t, double>> thickness;
     Issues issues;
@@ -191,18 +199,19 @@ Span trimmed(std::string_view bytes, Span text) {
     return text;
 }
 
-/// The text of a block, cut at directive lines, which are left out with their continuation lines.
+/// The text of a block, cut at #include lines, which are left out with their continuation lines.
 std::vector<Span> stretches(const Deck& deck, const Span& text) {
     const SourceFile& file = deck.file(text.file);
     std::vector<Span> found;
     Span rest = text;
     const std::vector<uint64_t>& marks = file.marks();
-    for (auto mark = std::lower_bound(marks.begin(), marks.end(), text.begin); mark != marks.end() && *mark < text.end;
-         ++mark) {
-        if (*mark < rest.begin || file.bytes()[*mark] != '#') continue;
+    for (auto mark = std::lower_bound(marks.begin(), marks.end(), text.begin);
+         mark != marks.end() && *mark < text.end; ++mark) {
+        if (*mark < rest.begin) continue;
+        const auto include = include_at(file.bytes(), *mark);
+        if (!include) continue;
         found.push_back({text.file, rest.begin, *mark});
-        Span line;
-        rest.begin = DataLines(deck, Span{text.file, *mark, text.end}).next(line) ? line.begin : text.end;
+        rest.begin = std::min(include->next, text.end);
     }
     found.push_back(rest);
     return found;
@@ -237,7 +246,8 @@ uint64_t lines_of(const Deck& deck, const Span& text) {
     return newlines + (inside.back() != '\n');
 }
 
-// ------------------------------------------------------------------------------------------------ one exact line
+// ------------------------------------------------------------------------------------------------ one exact
+// line
 
 /// Everything that reading a piece needs.
 struct Context {
@@ -250,7 +260,8 @@ struct Context {
 class LineReader {
 public:
     LineReader(const Context& context, const Source& source, Piece& piece)
-        : deck_(context.deck), source_(source), scope_(context.deck.blocks()[source.block].scope), piece_(piece) {}
+        : deck_(context.deck), source_(source), scope_(context.deck.blocks()[source.block].scope),
+          piece_(piece) {}
 
     Span span(std::string_view line) const {
         const auto begin = static_cast<uint64_t>(line.data() - deck_.file(piece_.text.file).bytes().data());
@@ -276,10 +287,17 @@ public:
     /// False, with an issue, when a cell cannot be used as a number. A blank cell can.
     bool check(const Cell& cell, const Card& card, std::string_view subject) {
         switch (cell.state) {
-        case CellState::garbage: report(ReadIssue::Kind::not_a_number, cell, card, subject); return false;
-        case CellState::not_finite: report(ReadIssue::Kind::not_finite, cell, card, subject); return false;
-        case CellState::unknown_parameter: report(ReadIssue::Kind::unknown_parameter, cell, card, subject); return false;
-        default: return true;
+        case CellState::garbage:
+            report(ReadIssue::Kind::not_a_number, cell, card, subject);
+            return false;
+        case CellState::not_finite:
+            report(ReadIssue::Kind::not_finite, cell, card, subject);
+            return false;
+        case CellState::unknown_parameter:
+            report(ReadIssue::Kind::unknown_parameter, cell, card, subject);
+            return false;
+        default:
+            return true;
         }
     }
 
@@ -300,14 +318,16 @@ private:
     Piece& piece_;
 };
 
-/// Rows [first, now) of a piece come from the lines from `from` on without a gap; a line that is left out ends that.
+/// Rows [first, now) of a piece come from the lines from `from` on without a gap; a line that is left out
+/// ends that.
 class RowTrail {
 public:
-    RowTrail(const Source& source, Piece& piece, uint64_t from) : source_(source), piece_(piece), from_(from) {}
+    RowTrail(const Source& source, Piece& piece, uint64_t from)
+        : source_(source), piece_(piece), from_(from) {}
     void break_at(std::size_t now, uint64_t from) {
         if (now > first_)
-            piece_.row_pieces.push_back({static_cast<uint32_t>(first_), static_cast<uint32_t>(now), source_.block, from_,
-                                         source_.form->lines_per_row});
+            piece_.row_pieces.push_back({static_cast<uint32_t>(first_), static_cast<uint32_t>(now),
+                                         source_.block, from_, source_.form->lines_per_row});
         first_ = now;
         from_ = from;
     }
@@ -339,7 +359,11 @@ void read_node_piece(const Context& context, const Source& source, Piece& piece,
     LineReader reader(context, source, piece);
     RowTrail trail(source, piece, piece.text.begin);
     LineRange range = range_of(context.deck, piece.text);
-    NodeRows rows{table.id.data() + piece.place, table.x.data() + piece.place, piece.room, 0, source.offsets.node,
+    NodeRows rows{table.id.data() + piece.place,
+                  table.x.data() + piece.place,
+                  piece.room,
+                  0,
+                  source.offsets.node,
                   source.length};
     uint64_t left_out = 0;
     while (read_node_lines(best_kernel(), source.widths, range, rows), range.at < range.end) {
@@ -356,7 +380,8 @@ void read_node_piece(const Context& context, const Source& source, Piece& piece,
         constexpr std::array<std::string_view, 3> names{"x", "y", "z"};
         for (std::size_t i = 0; i < 3; ++i) {
             const Cell& cell = card[names[i]];
-            x[i] = reader.check(cell, card, fmt::format("{} {}", id, names[i])) ? cell.real * source.length : 0.0;
+            x[i] = reader.check(cell, card, fmt::format("{} {}", id, names[i])) ? cell.real * source.length
+                                                                                : 0.0;
         }
         rows.id[rows.count] = id;
         rows.x[rows.count] = {x[0], x[1], x[2]};
@@ -401,107 +426,101 @@ private:
         LineRange range = range_of(context_.deck, piece_.text);
         const uint32_t cells = source_.form->cells;
         std::array<uint32_t, batch * most_cells> values;
-        uint64_t left_out = 0;
+        std::array<std::string_view, batch> more;
         while (range.at < range.end) {
             const char* const from = range.at;
-            IdRows ids{values.data(), cells, batch, 0};
+            IdRows ids{values.data(), more.data(), cells, batch, 0};
             read_id_lines(best_kernel(), source_.widths, range, ids);
             if (ids.count > 0) {
-                left_out += store(values.data(), ids.count, from);
+                store(ids, from);
                 continue;
             }
             const std::string_view line = take_line(range);
-            if (is_skipped(line)) continue;
-            if (read_shell_line(line, values.data())) {
-                left_out += store(values.data(), 1, from);
-                continue;
-            }
-            if (!read_exactly(reader_.card(line, *source_.form->card), nullptr)) {
-                ++left_out;
-                trail_.break_at(count_, offset(range.at));
-            }
+            if (!is_skipped(line)) store_exactly(line);
         }
         trail_.break_at(count_, piece_.text.end);
-        piece_.lines = count_ + left_out;
+        piece_.lines = count_ + left_out_;
     }
 
-    /// A plain line with something behind the node ids, such as a thickness.
-    bool read_shell_line(std::string_view line, uint32_t* values) {
-        if (!plain_integers(line, source_.widths, source_.form->cells, values) || values[0] == 0) return false;
-        if (line.find(',') != std::string_view::npos) return false;
-        if (!wants_thickness()) return true;
+    bool wants_thickness() const {
+        return context_.request.thickness && source_.form->target != Target::solids;
+    }
+    /// Adds the thickness of the row at hand; false when its cell is not plain. `more` begins after the last
+    /// id.
+    bool plain_thickness(std::string_view more) {
+        double written = 0;
         const uint32_t width = source_.widths.integer;
-        double thickness = 0;
-        if (!plain_real(columns(line, 8 * width, 2 * width), thickness)) return false;
-        const int64_t id = values[0] + source_.offsets.element;
-        if (id < 1 || id > largest_id) return false;
-        add_thickness(thickness);
+        if (!plain_real(columns(more, (8 - source_.form->cells) * width, 2 * width), written)) return false;
+        add_thickness(written);
         return true;
     }
-    bool wants_thickness() const { return context_.request.thickness && rows_.solid == nullptr; }
     void add_thickness(double written) {
-        if (written != 0) piece_.thickness.emplace_back(static_cast<uint32_t>(count_), written * source_.length);
+        if (written != 0)
+            piece_.thickness.emplace_back(static_cast<uint32_t>(count_), written * source_.length);
     }
 
     uint32_t row_of(uint32_t written) const {
         if (written == 0) return IdMap::none;
         const int64_t global = written + source_.offsets.node;
-        return global < 1 || global > largest_id ? IdMap::none : context_.nodes.map.row(static_cast<uint32_t>(global));
+        return global < 1 || global > largest_id ? IdMap::none
+                                                 : context_.nodes.map.row(static_cast<uint32_t>(global));
     }
 
-    /// Stores consecutive plain lines, the first of which is at `from`. The number of lines left out.
-    uint64_t store(const uint32_t* values, std::size_t lines, const char* from) {
-        const uint32_t cells = source_.form->cells;
-        uint64_t left_out = 0;
-        for (std::size_t i = 0; i < lines; ++i) {
-            const uint32_t* const cell = values + i * cells;
+    /// Stores consecutive plain lines, the first of which is at `from`.
+    void store(const IdRows& ids, const char* from) {
+        for (std::size_t i = 0; i < ids.count; ++i) {
+            const uint32_t* const cell = ids.values + i * ids.cells;
             const int64_t id = cell[0] + source_.offsets.element;
-            if (id < 1 || id > largest_id) {
-                const std::string_view line = line_of(from, i);
-                const Card card = reader_.card(line, *source_.form->card);
-                static_cast<void>(reader_.id(card, source_.offsets.element));
-                ++left_out;
-                trail_.break_at(count_, next_line(bytes_, offset(line.data())));
+            if (id < 1 || id > largest_id ||
+                (!ids.more[i].empty() && wants_thickness() && !plain_thickness(ids.more[i]))) {
+                store_exactly(line_of(from, i));
                 continue;
             }
             rows_.id[count_] = static_cast<uint32_t>(id);
+            if (rows_.kind) rows_.kind[count_] = source_.form->solid;
+            if (rows_.mid) rows_.mid[count_].fill(no_node);
             bool known = true;
             if (rows_.shell) {
                 std::array<NodeRow, 4>& nodes = rows_.shell[count_];
-                for (uint32_t n = 0; n < cells - 1; ++n) {
-                    const uint32_t row = row_of(cell[n + 1]);
-                    known &= row != IdMap::none;
-                    nodes[n] = NodeRow{row};
-                }
-                if (cells == 4) nodes[3] = nodes[2];
+                known = find_nodes(cell + 1, ids.cells - 1, nodes.data());
+                if (ids.cells == 4) nodes[3] = nodes[2];
             } else if (rows_.solid) {
-                std::array<NodeRow, 8>& nodes = rows_.solid[count_];
-                nodes.fill(no_node);
-                for (uint32_t n = 0; n < cells - 1; ++n) {
-                    const uint32_t row = row_of(cell[n + 1]);
-                    known &= row != IdMap::none;
-                    nodes[n] = NodeRow{row};
-                }
+                rows_.solid[count_].fill(no_node);
+                known = find_nodes(cell + 1, ids.cells - 1, rows_.solid[count_].data());
             }
-            if (rows_.kind) rows_.kind[count_] = source_.form->solid;
-            if (rows_.mid) rows_.mid[count_].fill(no_node);
-            if (!known) report_unknown(static_cast<uint32_t>(id), cell, cells, line_of(from, i));
+            if (!known) report_unknown(static_cast<uint32_t>(id), cell, ids.cells, line_of(from, i));
             ++count_;
         }
-        return left_out;
+    }
+    /// Rows of written node ids; whether all of them exist.
+    bool find_nodes(const uint32_t* written, uint32_t count, NodeRow* rows) const {
+        bool known = true;
+        for (uint32_t n = 0; n < count; ++n) {
+            const uint32_t row = row_of(written[n]);
+            known &= row != IdMap::none;
+            rows[n] = NodeRow{row};
+        }
+        return known;
+    }
+    void store_exactly(std::string_view line) {
+        if (read_exactly(reader_.card(line, *source_.form->card), nullptr)) return;
+        ++left_out_;
+        trail_.break_at(count_, std::min(next_line(bytes_, offset(line.data())), piece_.text.end));
     }
     std::string_view line_of(const char* from, std::size_t line) const {
         LineRange range{from, bytes_.data() + piece_.text.end, bytes_};
         std::string_view text = take_line(range);
-        for (std::size_t i = 0; i < line; ++i) text = take_line(range);
+        for (std::size_t i = 0; i < line; ++i)
+            text = take_line(range);
         return text;
     }
 
     void report_unknown(uint32_t id, const uint32_t* cell, uint32_t cells, std::string_view line) {
         for (uint32_t n = 1; n < cells; ++n) {
             if (row_of(cell[n]) != IdMap::none) continue;
-            const Cell written = read_cell(context_.deck, context_.deck.blocks()[source_.block].scope, reader_.span(line),
-                                           n * source_.widths.integer + 1, source_.widths.integer, Kind::integer);
+            const Cell written =
+                read_cell(context_.deck, context_.deck.blocks()[source_.block].scope, reader_.span(line),
+                          n * source_.widths.integer + 1, source_.widths.integer, Kind::integer);
             report_unknown(id, cell[n], written.text.empty() ? reader_.span(line) : written.place);
         }
     }
@@ -541,15 +560,19 @@ private:
         if (rows_.mid) rows_.mid[count_].fill(no_node);
         if (rows_.shell) {
             std::array<NodeRow, 4>& nodes = rows_.shell[count_];
-            for (uint32_t n = 0; n < cells - 1; ++n) nodes[n] = node(first, cell_names[n + 1], id, false);
+            for (uint32_t n = 0; n < cells - 1; ++n)
+                nodes[n] = node(first, cell_names[n + 1], id, false);
             if (cells == 4) nodes[3] = nodes[2];
         } else if (rows_.solid) {
             std::array<NodeRow, 8>& nodes = rows_.solid[count_];
             nodes.fill(no_node);
-            for (uint32_t n = 0; n + 1 < cells; ++n) nodes[n] = node(first, cell_names[n + 1], id, false);
+            for (uint32_t n = 0; n + 1 < cells; ++n)
+                nodes[n] = node(first, cell_names[n + 1], id, false);
             if (second) {
-                for (uint32_t n = 0; n < 4; ++n) nodes[n] = node(*second, cell_names[n + 1], id, false);
-                for (uint32_t n = 4; n < 10; ++n) rows_.mid[count_][n - 4] = node(*second, cell_names[n + 1], id, true);
+                for (uint32_t n = 0; n < 4; ++n)
+                    nodes[n] = node(*second, cell_names[n + 1], id, false);
+                for (uint32_t n = 4; n < 10; ++n)
+                    rows_.mid[count_][n - 4] = node(*second, cell_names[n + 1], id, true);
             }
         }
         if (wants_thickness()) {
@@ -569,7 +592,8 @@ private:
         Span line;
         for (uint32_t i = 0; i < piece_.skip; ++i)
             if (!lines.next_filled(line)) return;
-        trail_.break_at(0, line.end > 0 ? std::min(next_line(bytes_, line.end), block.end) : piece_.text.begin);
+        trail_.break_at(0,
+                        line.end > 0 ? std::min(next_line(bytes_, line.end), block.end) : piece_.text.begin);
         const uint32_t per_row = source_.form->lines_per_row;
         for (std::size_t row = 0; row < piece_.room && lines.next_filled(line); ++row) {
             const Card first = read_card(deck, scope, line, *source_.form->card);
@@ -593,6 +617,301 @@ private:
     RowTrail trail_;
     std::string_view bytes_;
     std::size_t count_ = 0;
+    uint64_t left_out_ = 0;
 };
 
+// ------------------------------------------------------------------------------------------------ tables
+
+struct Plan {
+    std::vector<Source> sources;
+    std::vector<Piece> pieces;    ///< in the order of their sources, and of the text in each
+    std::array<Issues, 4> issues; ///< by Target
+
+    Target target(const Piece& piece) const { return sources[piece.source].form->target; }
+    bool parses(const Piece& piece) const { return sources[piece.source].parse; }
+};
+
+bool wanted(const TableRequest& request, const std::vector<PartId>& parts, const Form& form, PartId part) {
+    if (form.target == Target::nodes) return request.coordinates;
+    if (!(form.target == Target::solids ? request.solids : request.shells)) return false;
+    if (request.elements == TableRequest::Elements::all) return true;
+    return request.elements == TableRequest::Elements::of_parts &&
+           std::binary_search(parts.begin(), parts.end(), part);
+}
+
+Plan plan_of(const Deck& deck, const TableRequest& request, Counts& counts) {
+    Plan plan;
+    std::vector<PartId> parts = request.parts;
+    std::sort(parts.begin(), parts.end());
+    const std::span<const Block> blocks = deck.blocks();
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        const Block& block = blocks[i];
+        if (block.keyword == "PART") ++counts.parts;
+        const Form* form = form_of(block.keyword);
+        if (!form) continue;
+        const Scope& scope = deck.scope(block.scope);
+        Source source;
+        source.block = static_cast<uint32_t>(i);
+        source.form = form;
+        source.offsets = scope.offsets;
+        if (scope.layout <= last_narrow_layout) source.widths = {8, 16};
+        // /NODE has no id: the first number of its header is the unit.
+        const bool nodes = form->target == Target::nodes;
+        const int64_t unit = nodes && block.unit == 0 && block.id_given ? block.id : block.unit;
+        if (!nodes) source.part = Deck::global_id(block.id, scope.offsets.part);
+        source.parse = wanted(request, parts, *form, source.part);
+        if (!source.parse && !request.counts) continue;
+        if (source.parse) {
+            const std::optional<double> factor = deck.factor(block.scope, unit, length_dimension);
+            source.length = factor.value_or(1.0);
+            if (!factor)
+                plan.issues[static_cast<std::size_t>(form->target)].add({ReadIssue::Kind::unknown_unit,
+                                                                         block.header,
+                                                                         fmt::format("unit {}", unit),
+                                                                         std::string(block.keyword),
+                                                                         {},
+                                                                         1});
+        }
+        cut_into_pieces(deck, block, static_cast<uint32_t>(plan.sources.size()), plan.pieces);
+        plan.sources.push_back(source);
+    }
+    return plan;
+}
+
+/// How many rows each piece can have. A row of several lines belongs to the piece in which it begins.
+void make_room(const Deck& deck, Plan& plan, unsigned threads) {
+    parallel_for(threads, plan.pieces.size(), [&](std::size_t i) {
+        Piece& piece = plan.pieces[i];
+        if (!plan.parses(piece)) return;
+        if (plan.sources[piece.source].form->lines_per_row == 1)
+            piece.room = lines_of(deck, piece.text);
+        else
+            piece.lines = count_data_lines(deck.text(piece.text));
+    });
+    uint64_t before = 0; // data lines of the source
+    std::array<std::size_t, 4> end{};
+    for (std::size_t i = 0; i < plan.pieces.size(); ++i) {
+        Piece& piece = plan.pieces[i];
+        if (!plan.parses(piece)) continue;
+        if (i == 0 || plan.pieces[i - 1].source != piece.source) before = 0;
+        if (const uint32_t per_row = plan.sources[piece.source].form->lines_per_row; per_row > 1) {
+            piece.skip = static_cast<uint32_t>((per_row - before % per_row) % per_row);
+            piece.room = piece.lines > piece.skip ? (piece.lines - piece.skip + per_row - 1) / per_row : 0;
+            before += piece.lines;
+        }
+        std::size_t& place = end[static_cast<std::size_t>(plan.target(piece))];
+        piece.place = place;
+        place += piece.room;
+    }
+}
+
+std::size_t room_of(const Plan& plan, Target target) {
+    std::size_t room = 0;
+    for (const Piece& piece : plan.pieces)
+        if (plan.target(piece) == target) room += piece.room;
+    return room;
+}
+
+/// Moves the rows of the pieces together, where lines without a row left room between them.
+template <class T>
+void close_gaps(const Plan& plan, Target target, Buffer<T>& column) {
+    if (column.empty()) return;
+    std::size_t end = 0;
+    for (const Piece& piece : plan.pieces) {
+        if (plan.target(piece) != target) continue;
+        if (piece.place != end && piece.rows > 0)
+            std::memmove(column.data() + end, column.data() + piece.place, piece.rows * sizeof(T));
+        end += piece.rows;
+    }
+    column.resize(end);
+}
+
+/// Row pieces, and issues, of a table whose gaps are closed.
+void place_rows(Plan& plan, Target target, std::vector<RowPiece>& row_pieces) {
+    std::size_t end = 0;
+    for (Piece& piece : plan.pieces) {
+        if (plan.target(piece) != target || !plan.parses(piece)) continue;
+        piece.place = end;
+        end += piece.rows;
+        for (RowPiece rows : piece.row_pieces) {
+            rows.row_begin += static_cast<uint32_t>(piece.place);
+            rows.row_end += static_cast<uint32_t>(piece.place);
+            row_pieces.push_back(rows);
+        }
+        plan.issues[static_cast<std::size_t>(target)].append(std::move(piece.issues));
+    }
+}
+
+std::vector<ElementRange> ranges_of(const Plan& plan, Target target) {
+    std::vector<ElementRange> ranges;
+    for (const Piece& piece : plan.pieces) {
+        if (plan.target(piece) != target || piece.rows == 0) continue;
+        const Source& source = plan.sources[piece.source];
+        const auto end = static_cast<uint32_t>(piece.place + piece.rows);
+        if (!ranges.empty() && ranges.back().block == source.block)
+            ranges.back().row_end = end;
+        else
+            ranges.push_back({static_cast<uint32_t>(piece.place), end, source.part, source.block});
+    }
+    return ranges;
+}
+
+void report_duplicates(const Deck& deck, std::string_view name, std::span<const uint32_t> ids,
+                       const IdMap& map, std::span<const RowPiece> pieces, Issues& issues) {
+    RowLines later(deck, pieces), first(deck, pieces);
+    const std::span<const uint32_t> duplicates = map.duplicates();
+    const std::size_t listed = std::min(duplicates.size(), issue_limit);
+    for (std::size_t i = 0; i < listed; ++i) {
+        const uint32_t row = duplicates[i];
+        issues.add({ReadIssue::Kind::duplicate_id,
+                    later.line(row),
+                    fmt::format("{} {}", name, ids[row]),
+                    {},
+                    first.line(map.row(ids[row])),
+                    1});
+    }
+    issues.count(ReadIssue::Kind::duplicate_id, duplicates.size() - listed);
+}
+
+void read_nodes(const Context& context, Plan& plan, unsigned threads, NodeTable& table) {
+    const std::size_t room = room_of(plan, Target::nodes);
+    table.id = Buffer<uint32_t>(room);
+    table.x = Buffer<Vec3>(room);
+    parallel_for(threads, plan.pieces.size(), [&](std::size_t i) {
+        Piece& piece = plan.pieces[i];
+        if (plan.target(piece) == Target::nodes && plan.parses(piece))
+            read_node_piece(context, plan.sources[piece.source], piece, table);
+    });
+    close_gaps(plan, Target::nodes, table.id);
+    close_gaps(plan, Target::nodes, table.x);
+    place_rows(plan, Target::nodes, table.pieces);
+    table.map = IdMap(table.id.span(), threads);
+    report_duplicates(context.deck, "node", table.id.span(), table.map, table.pieces, plan.issues[0]);
+}
+
+/// The columns of a table, from the first row of a piece on.
+ElementRows rows_at(ShellTable& table, std::size_t place) {
+    ElementRows rows;
+    rows.id = table.id.data() + place;
+    if (!table.nodes.empty()) rows.shell = table.nodes.data() + place;
+    return rows;
+}
+ElementRows rows_at(SolidTable& table, std::size_t place) {
+    ElementRows rows;
+    rows.id = table.id.data() + place;
+    rows.kind = table.kind.data() + place;
+    if (!table.nodes.empty()) rows.solid = table.nodes.data() + place;
+    if (!table.mid.empty()) rows.mid = table.mid.data() + place;
+    return rows;
+}
+
+template <class Table>
+void make_columns(const Plan& plan, Target target, bool connectivity, Table& table) {
+    const std::size_t room = room_of(plan, target);
+    table.id = Buffer<uint32_t>(room);
+    if (connectivity) table.nodes = decltype(table.nodes)(room);
+    if constexpr (std::is_same_v<Table, SolidTable>) {
+        table.kind = Buffer<SolidKind>(room);
+        const bool tetra10 = std::any_of(plan.sources.begin(), plan.sources.end(), [](const Source& source) {
+            return source.parse && source.form->target == Target::solids &&
+                   source.form->solid == SolidKind::tetra10;
+        });
+        if (connectivity && tetra10) table.mid = decltype(table.mid)(room);
+    }
+}
+
+template <class Table>
+void finish_table(const Context& context, Plan& plan, Target target, unsigned threads, Table& table) {
+    close_gaps(plan, target, table.id);
+    close_gaps(plan, target, table.nodes);
+    if constexpr (std::is_same_v<Table, SolidTable>) {
+        close_gaps(plan, target, table.kind);
+        close_gaps(plan, target, table.mid);
+    }
+    place_rows(plan, target, table.pieces);
+    table.ranges = ranges_of(plan, target);
+    if constexpr (std::is_same_v<Table, ShellTable>) {
+        for (const Piece& piece : plan.pieces)
+            if (plan.target(piece) == target)
+                for (const auto& [row, thickness] : piece.thickness)
+                    table.thickness.emplace_back(row + static_cast<uint32_t>(piece.place), thickness);
+    }
+    if (!context.request.element_ids) return;
+    table.map = IdMap(table.id.span(), threads);
+    const std::string_view name = target == Target::shells4   ? "shell"
+                                  : target == Target::shells3 ? "sh3n"
+                                                              : "solid";
+    report_duplicates(context.deck, name, table.id.span(), table.map, table.pieces,
+                      plan.issues[static_cast<std::size_t>(target)]);
+}
+
+void read_elements(const Context& context, Plan& plan, unsigned threads, Tables& tables) {
+    const bool connectivity = context.request.coordinates;
+    make_columns(plan, Target::shells4, connectivity, tables.shells4);
+    make_columns(plan, Target::shells3, connectivity, tables.shells3);
+    make_columns(plan, Target::solids, connectivity, tables.solids);
+    parallel_for(threads, plan.pieces.size(), [&](std::size_t i) {
+        Piece& piece = plan.pieces[i];
+        if (!plan.parses(piece)) {
+            piece.lines = count_data_lines(context.deck.text(piece.text));
+            return;
+        }
+        ElementRows rows;
+        switch (plan.target(piece)) {
+        case Target::nodes:
+            return;
+        case Target::shells4:
+            rows = rows_at(tables.shells4, piece.place);
+            break;
+        case Target::shells3:
+            rows = rows_at(tables.shells3, piece.place);
+            break;
+        case Target::solids:
+            rows = rows_at(tables.solids, piece.place);
+            break;
+        }
+        ElementReader(context, plan.sources[piece.source], piece, rows).read();
+    });
+    finish_table(context, plan, Target::shells4, threads, tables.shells4);
+    finish_table(context, plan, Target::shells3, threads, tables.shells3);
+    finish_table(context, plan, Target::solids, threads, tables.solids);
+}
+
+void add_counts(Plan& plan, Counts& counts) {
+    for (const Piece& piece : plan.pieces)
+        plan.sources[piece.source].lines += piece.lines;
+    for (const Source& source : plan.sources) {
+        const uint64_t rows = (source.lines + source.form->lines_per_row - 1) / source.form->lines_per_row;
+        switch (source.form->target) {
+        case Target::nodes:
+            counts.nodes += rows;
+            break;
+        case Target::shells4:
+            counts.shells4 += rows;
+            break;
+        case Target::shells3:
+            counts.shells3 += rows;
+            break;
+        case Target::solids:
+            counts.solids += rows;
+            break;
+        }
+    }
+}
+
 } // namespace
+
+Tables read_tables(const Deck& deck, const TableRequest& request, unsigned threads) {
+    Tables tables;
+    Plan plan = plan_of(deck, request, tables.counts);
+    const Context context{deck, request, tables.nodes};
+    make_room(deck, plan, threads);
+    if (request.coordinates) read_nodes(context, plan, threads, tables.nodes);
+    read_elements(context, plan, threads, tables);
+    add_counts(plan, tables.counts);
+    for (Issues& issues : plan.issues)
+        issues.write_to(tables.issues);
+    return tables;
+}
+
+} // namespace drawbead

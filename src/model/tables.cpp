@@ -8,8 +8,9 @@ namespace {
 
 /// The element range that holds a row; ranges ascend and leave no row out.
 PartId part_of_row(std::span<const ElementRange> ranges, uint32_t row) {
-    const auto after = std::upper_bound(ranges.begin(), ranges.end(), row,
-                                        [](uint32_t r, const ElementRange& range) { return r < range.row_end; });
+    const auto after =
+        std::upper_bound(ranges.begin(), ranges.end(), row,
+                         [](uint32_t r, const ElementRange& range) { return r < range.row_end; });
     return after == ranges.end() ? 0 : after->part;
 }
 
@@ -45,7 +46,9 @@ std::optional<NodeRow> NodeTable::row(NodeId user) const {
     return NodeRow{found};
 }
 
-PartId ShellTable::part(uint32_t row) const { return part_of_row(ranges, row); }
+PartId ShellTable::part(uint32_t row) const {
+    return part_of_row(ranges, row);
+}
 
 double ShellTable::own_thickness(uint32_t row) const {
     if (thickness.size() == id.size()) return row < thickness.size() ? thickness[row].second : 0;
@@ -54,6 +57,8 @@ double ShellTable::own_thickness(uint32_t row) const {
     return found != thickness.end() && found->first == row ? found->second : 0;
 }
 
-PartId SolidTable::part(uint32_t row) const { return part_of_row(ranges, row); }
+PartId SolidTable::part(uint32_t row) const {
+    return part_of_row(ranges, row);
+}
 
 } // namespace drawbead

@@ -14,7 +14,8 @@
 
 namespace drawbead {
 
-/// Rows [row_begin, row_end) of a table come from consecutive data lines (neither comment nor blank) of one block.
+/// Rows [row_begin, row_end) of a table come from consecutive data lines (neither comment nor blank) of one
+/// block.
 struct RowPiece {
     uint32_t row_begin = 0, row_end = 0;
     uint32_t block = 0;      ///< index into Deck::blocks()
