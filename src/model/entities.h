@@ -70,6 +70,7 @@ struct NodeGroup {
     std::vector<ListedNode>
         listed; ///< entries of NODENS / NODE lists as written, zeros and all; empty for other types
     std::vector<Span> nodens_clauses; ///< /SET: places of the NODENS clause keys
+    std::vector<BlockIndex> users;    ///< other options that name the group; with Needs::surface_users
     bool evaluated = true;            ///< false: a type that the tool cannot expand (nodes is empty then)
     std::string title;
 };
@@ -80,10 +81,19 @@ enum class ElementKind : uint8_t { none, shell4, shell3, solid };
 /// One oriented main segment: a triangle repeats its third node.
 struct Segment {
     std::array<NodeRow, 4> n{no_node, no_node, no_node, no_node};
-    ElementKind kind = ElementKind::none; ///< the element that gives stiffness and thickness
     uint32_t element = 0;                 ///< row in its table
+    ElementKind kind = ElementKind::none; ///< the element that gives stiffness and thickness
     int8_t sense = 1;                     ///< −1: reversed against the element, by a minus sign or _O
     bool solid_backed = false;            ///< turned outward by the Starter: its listed order does not count
+    bool repaired = false; ///< two equal neighbours were listed and brought to n1 n2 n3 n3 (warning 106)
+};
+static_assert(sizeof(Segment) == 24);
+
+/// A segment of SEG lines that has a solid behind it and whose stiffness a shell gives: the solid's stiffness
+/// counts in the surface's minimum all the same.
+struct CoatedSolid {
+    uint32_t segment = 0; ///< index into Surface::segments
+    uint32_t solid = 0;   ///< row in the table of solids
 };
 
 /// One thing that a surface is made of, as written in its block; what a repair would edit.
@@ -118,8 +128,11 @@ struct Surface {
     std::vector<Span>
         lines; ///< SEG lines of segments [0, lines.size()), in their own order; empty without SEG
     std::vector<SurfaceSource> sources;
-    std::vector<int64_t> unknown_nodes; ///< of SEG lines
-    bool evaluated = true;              ///< false: a type that the tool cannot expand
+    std::vector<int64_t> unknown_nodes;   ///< of SEG lines, which are left out of `segments`
+    std::vector<Span> unknown_node_lines; ///< parallel to unknown_nodes
+    std::vector<CoatedSolid> coated;      ///< ascending segments
+    std::vector<BlockIndex> users;        ///< other options that name the surface; with Needs::surface_users
+    bool evaluated = true;                ///< false: a type that the tool cannot expand
     std::string title;
 };
 
