@@ -1,0 +1,266 @@
+#include "base/parallel.h"
+#include "model/resolver.h"
+
+#include <algorithm>
+
+namespace drawbead {
+
+namespace {
+
+constexpr uint32_t rows_per_piece = 1u << 16;
+
+/// The part of a run that one thread writes, and where.
+struct Piece {
+    const ShellTable* table;
+    ElementKind kind;
+    uint32_t begin, end;
+    int8_t sense;
+    uint64_t out;
+    bool ascending = true, has_hole = false;
+};
+
+void add_pieces(const ShellTable& table, ElementKind kind, const std::vector<SegmentRun>& runs, uint64_t& out,
+                std::vector<Piece>& pieces) {
+    for (const SegmentRun& run : runs)
+        for (uint32_t begin = run.begin; begin < run.end; begin += rows_per_piece) {
+            const uint32_t end = std::min(run.end, begin + rows_per_piece);
+            pieces.push_back({&table, kind, begin, end, run.sense, out});
+            out += end - begin;
+        }
+}
+
+void write_piece(Piece& piece, Segment* out) {
+    const ShellTable& table = *piece.table;
+    uint32_t last_id = 0;
+    for (uint32_t row = piece.begin; row < piece.end; ++row, ++out) {
+        Segment segment;
+        segment.n = table.nodes[row];
+        if (piece.kind == ElementKind::shell3) {
+            if (piece.sense < 0) segment.n = {segment.n[2], segment.n[1], segment.n[0], segment.n[0]};
+        } else if (piece.sense < 0) {
+            std::reverse(segment.n.begin(), segment.n.end());
+        }
+        segment.element = row;
+        segment.kind = piece.kind;
+        segment.sense = piece.sense;
+        piece.has_hole |= segment.n[0] == no_node || segment.n[1] == no_node || segment.n[2] == no_node ||
+                          segment.n[3] == no_node;
+        normalise(segment.n, segment.repaired);
+        *out = segment;
+        piece.ascending &= last_id <= table.id[row];
+        last_id = table.id[row];
+    }
+}
+
+/// SEG lines as segments; lines with unknown nodes are kept apart.
+struct Written {
+    std::vector<Segment> segments;
+    std::vector<Span> lines;
+    std::vector<int64_t> unknown;
+    std::vector<Span> unknown_lines;
+};
+
+Written write_listed(const NodeTable& nodes, std::span<const ListedSegment> listed) {
+    Written written;
+    written.segments.reserve(listed.size());
+    written.lines.reserve(listed.size());
+    for (const ListedSegment& line : listed) {
+        Segment segment;
+        bool complete = true;
+        for (std::size_t i = 0; i < 4; ++i) {
+            const int64_t id = line.node[i];
+            const auto row = id > 0 && id < 0xffffffff ? nodes.row(NodeId{static_cast<uint32_t>(id)}) : std::nullopt;
+            if (row) {
+                segment.n[i] = *row;
+                continue;
+            }
+            complete = false;
+            if (i == 3 && id == line.node[2]) continue;
+            written.unknown.push_back(id);
+            written.unknown_lines.push_back(line.line);
+        }
+        if (!complete) continue;
+        normalise(segment.n, segment.repaired);
+        written.segments.push_back(segment);
+        written.lines.push_back(line.line);
+    }
+    return written;
+}
+
+/// Two vectors across the face; for a triangle two of its sides.
+Vec3 face_normal(const NodeTable& nodes, const std::array<NodeRow, 4>& n) {
+    const Vec3 a = nodes[n[0]], b = nodes[n[1]], c = nodes[n[2]], d = nodes[n[3]];
+    return n[2] == n[3] ? cross(c - a, c - b) : cross(c - a, d - b);
+}
+
+/// Reverses the segment when its normal points into the solid.
+void turn_outward(const Tables& tables, uint32_t solid, Segment& segment) {
+    Vec3 centre, middle;
+    double corners = 0;
+    for (const NodeRow node : tables.solids.nodes[solid])
+        if (node != no_node) {
+            centre += tables.nodes[node];
+            corners += 1;
+        }
+    for (const NodeRow node : segment.n) middle += tables.nodes[node];
+    const Vec3 out = 0.25 * middle - centre / corners;
+    if (dot(face_normal(tables.nodes, segment.n), out) >= 0) return;
+    if (segment.n[2] == segment.n[3])
+        std::swap(segment.n[0], segment.n[1]);
+    else
+        std::reverse(segment.n.begin(), segment.n.end());
+}
+
+} // namespace
+
+void write_segments(const SurfaceContent& content, const Tables& tables, unsigned threads, Surface& surface) {
+    // SEG lines in pieces: looking up their nodes is what costs.
+    const std::size_t listed_pieces = (content.listed.size() + rows_per_piece - 1) / rows_per_piece;
+    std::vector<Written> written(listed_pieces);
+    parallel_for(threads, listed_pieces, [&](std::size_t p) {
+        const std::size_t begin = p * rows_per_piece;
+        const std::size_t count = std::min<std::size_t>(rows_per_piece, content.listed.size() - begin);
+        written[p] = write_listed(tables.nodes, std::span(content.listed).subspan(begin, count));
+    });
+    uint64_t listed = 0;
+    for (const Written& piece : written) listed += piece.segments.size();
+
+    uint64_t total = listed;
+    std::vector<Piece> pieces;
+    add_pieces(tables.shells4, ElementKind::shell4, content.shells4, total, pieces);
+    const std::size_t first_triangle = pieces.size();
+    add_pieces(tables.shells3, ElementKind::shell3, content.shells3, total, pieces);
+    const uint64_t first_face = total;
+    total += content.faces.size();
+
+    Buffer<Segment> segments(total);
+    uint64_t at = 0;
+    surface.lines.reserve(listed);
+    for (const Written& piece : written) {
+        std::copy(piece.segments.begin(), piece.segments.end(), segments.begin() + at);
+        at += piece.segments.size();
+        surface.lines.insert(surface.lines.end(), piece.lines.begin(), piece.lines.end());
+        surface.unknown_nodes.insert(surface.unknown_nodes.end(), piece.unknown.begin(), piece.unknown.end());
+        surface.unknown_node_lines.insert(surface.unknown_node_lines.end(), piece.unknown_lines.begin(),
+                                          piece.unknown_lines.end());
+    }
+    parallel_for(threads, pieces.size(),
+                 [&](std::size_t p) { write_piece(pieces[p], segments.data() + pieces[p].out); });
+    std::copy(content.faces.begin(), content.faces.end(), segments.begin() + first_face);
+
+    bool ordered = true, hole = false;
+    for (std::size_t p = 0; p < pieces.size(); ++p) {
+        const Piece& piece = pieces[p];
+        hole |= piece.has_hole;
+        ordered &= piece.ascending;
+        if (p > 0 && p != first_triangle)
+            ordered &= pieces[p - 1].table->id[pieces[p - 1].end - 1] <= piece.table->id[piece.begin];
+    }
+    for (uint64_t i = first_face + 1; !content.ordered && i < total; ++i)
+        ordered &= tables.solids.id[segments[i - 1].element] <= tables.solids.id[segments[i].element];
+    if (hole) {
+        const auto end = std::remove_if(segments.begin(), segments.end(), [](const Segment& segment) {
+            return std::find(segment.n.begin(), segment.n.end(), no_node) != segment.n.end();
+        });
+        segments.resize(static_cast<std::size_t>(end - segments.begin()));
+    }
+    surface.in_storage_order = ordered;
+    surface.segments = std::move(segments);
+}
+
+void find_elements_behind(const Tables& tables, unsigned threads,
+                          const std::function<bool(ShellRef, ShellRef)>& stronger, Surface& surface) {
+    const auto count = static_cast<uint32_t>(surface.lines.size());
+    if (count == 0) return;
+    Segment* const segments = surface.segments.data();
+
+    // Segments by their first node: an element that has the node may lie behind them.
+    std::vector<uint32_t> begin(tables.nodes.size() + std::size_t{1}), by_node(count);
+    for (uint32_t i = 0; i < count; ++i) ++begin[index(segments[i].n[0])];
+    uint32_t sum = 0;
+    for (uint32_t& entry : begin) {
+        sum += entry;
+        entry = sum;
+    }
+    for (uint32_t i = count; i-- > 0;) by_node[--begin[index(segments[i].n[0])]] = i;
+
+    struct Hit {
+        uint32_t segment, row;
+    };
+    const auto hits_of = [&](const auto& table, uint32_t rows) {
+        std::vector<std::vector<Hit>> hits((rows + rows_per_piece - 1) / rows_per_piece);
+        parallel_for(threads, hits.size(), [&](std::size_t p) {
+            const auto first = static_cast<uint32_t>(p) * rows_per_piece;
+            for (uint32_t row = first; row < std::min(rows, first + rows_per_piece); ++row) {
+                const auto& nodes = table[row];
+                for (std::size_t c = 0; c < nodes.size(); ++c) {
+                    if (nodes[c] == no_node || std::find(nodes.begin(), nodes.begin() + c, nodes[c]) != nodes.begin() + c)
+                        continue;
+                    const std::size_t node = index(nodes[c]);
+                    for (uint32_t k = begin[node]; k < begin[node + 1]; ++k) {
+                        const auto& n = segments[by_node[k]].n;
+                        const auto holds = [&](NodeRow one) {
+                            return std::find(nodes.begin(), nodes.end(), one) != nodes.end();
+                        };
+                        if (holds(n[1]) && holds(n[2]) && holds(n[3])) hits[p].push_back({by_node[k], row});
+                    }
+                }
+            }
+        });
+        return hits;
+    };
+
+    // Three-node shells are asked first; a later one must be stronger to take their place.
+    const auto take_shells = [&](const ShellTable& table, ElementKind kind) {
+        for (const auto& piece : hits_of(table.nodes, table.size()))
+            for (const Hit& hit : piece) {
+                Segment& segment = segments[hit.segment];
+                if (segment.kind == ElementKind::none ||
+                    stronger({kind, hit.row}, {segment.kind, segment.element})) {
+                    segment.kind = kind;
+                    segment.element = hit.row;
+                }
+            }
+    };
+    take_shells(tables.shells3, ElementKind::shell3);
+    take_shells(tables.shells4, ElementKind::shell4);
+
+    struct Behind {
+        uint32_t segment, solid, solids;
+    };
+    std::vector<Behind> behind;
+    {
+        std::vector<Hit> all;
+        for (const auto& piece : hits_of(tables.solids.nodes, tables.solids.size()))
+            all.insert(all.end(), piece.begin(), piece.end());
+        std::sort(all.begin(), all.end(), [&](const Hit& a, const Hit& b) {
+            if (a.segment != b.segment) return a.segment < b.segment;
+            return tables.solids.id[a.row] < tables.solids.id[b.row];
+        });
+        for (const Hit& hit : all) {
+            if (behind.empty() || behind.back().segment != hit.segment) behind.push_back({hit.segment, 0, 0});
+            behind.back().solid = hit.row; // the highest user id counts
+            ++behind.back().solids;
+        }
+    }
+    for (const Behind& one : behind) {
+        Segment& segment = segments[one.segment];
+        if (segment.kind == ElementKind::none) {
+            segment.kind = ElementKind::solid;
+            segment.element = one.solid;
+        } else {
+            surface.coated.push_back({one.segment, one.solid});
+        }
+        segment.solid_backed = one.solids == 1;
+        if (segment.solid_backed) turn_outward(tables, one.solid, segment);
+    }
+}
+
+void turn_faces_outward(const Tables& tables, Surface& surface) {
+    for (std::size_t i = surface.lines.size(); i < surface.segments.size(); ++i) {
+        Segment& segment = surface.segments[i];
+        if (segment.kind == ElementKind::solid && segment.solid_backed) turn_outward(tables, segment.element, segment);
+    }
+}
+
+} // namespace drawbead

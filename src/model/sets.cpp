@@ -1,0 +1,162 @@
+#include "model/sets.h"
+
+#include "model/cards/lists.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace drawbead {
+
+namespace {
+
+struct Key {
+    std::string_view name;
+    std::optional<MemberKind> kind; ///< empty: NODENS, SEG, or nothing that a drawbead could use
+    bool supported;
+};
+constexpr Key keys[] = {
+    {"PART", MemberKind::part, true},    {"SUBS", MemberKind::subset, true}, {"SUBM", MemberKind::submodel, true},
+    {"SHELL", MemberKind::shell, true},  {"SH3N", MemberKind::sh3n, true},   {"SOLID", MemberKind::solid, true},
+    {"NODE", MemberKind::node, true},    {"SET", MemberKind::set, true},     {"SETCOL", MemberKind::set, true},
+    {"ALL", MemberKind::everything, true}, {"NODENS", std::nullopt, true},   {"SEG", std::nullopt, true},
+    {"BOX", MemberKind::box, true},      {"BOX2", MemberKind::box_touching, true},
+};
+
+/// Splits "PART_GD" into its name and suffix letters.
+void read_key(std::string_view text, SetClause& clause, bool& ranges) {
+    const std::size_t underscore = text.find('_');
+    const std::string_view name = text.substr(0, underscore);
+    clause.key = name;
+    if (underscore == std::string_view::npos) return;
+    for (const char suffix : text.substr(underscore + 1)) {
+        switch (suffix) {
+        case 'D':
+            clause.remove = true;
+            break;
+        case 'I':
+            clause.intersect = true;
+            break;
+        case 'O':
+            clause.reversed = true;
+            break;
+        case 'G':
+            ranges = true;
+            break;
+        case 'A':
+            clause.all_faces = true;
+            break;
+        case 'E':
+            break; // external faces are the default
+        default:
+            clause.supported = false; // _B and _C restrict the clause to a box
+        }
+    }
+}
+
+bool begins_with_letter(std::string_view cell) {
+    return !cell.empty() && ((cell[0] >= 'A' && cell[0] <= 'Z') || (cell[0] >= 'a' && cell[0] <= 'z'));
+}
+
+/// The nine cells [11-100] of a clause line.
+void read_clause_cells(const Deck& deck, ScopeId scope, const Span& line, IssueLog& issues,
+                       std::vector<WrittenId>& ids) {
+    for (uint32_t column = 11; column < 100 && column <= line.size(); column += 10) {
+        const Cell cell = read_cell(deck, scope, line, column, 10, Kind::integer);
+        if (issues.check(cell, "id") && cell.given()) ids.push_back({cell.integer, cell.place});
+    }
+}
+
+void finish(SetClause& clause, bool ranges, const std::vector<WrittenId>& ids, const Deck& deck) {
+    if (clause.key == "NODENS") {
+        clause.nodes = ids;
+        return;
+    }
+    if (clause.key == "SEG") return;
+    const Key* key = std::find_if(std::begin(keys), std::end(keys), [&](const Key& k) { return k.name == clause.key; });
+    if (key == std::end(keys)) {
+        clause.supported = false;
+        return;
+    }
+    if (*key->kind == MemberKind::everything) {
+        Member all;
+        all.kind = MemberKind::everything;
+        all.place = clause.place;
+        clause.members.push_back(all);
+        return;
+    }
+    const int64_t offset = offset_of(deck.scope(clause.scope), *key->kind);
+    for (std::size_t i = 0; i < ids.size(); i += ranges ? 3 : 1) {
+        if (ids[i].id <= 0) continue;
+        Member member;
+        member.kind = *key->kind;
+        member.first = member.last = Deck::global_id(ids[i].id, offset);
+        member.place = ids[i].place;
+        if (ranges && i + 1 < ids.size()) member.last = Deck::global_id(ids[i + 1].id, offset);
+        if (ranges && i + 2 < ids.size() && ids[i + 2].id > 0) member.step = ids[i + 2].id;
+        clause.members.push_back(member);
+    }
+}
+
+void read_block(const Deck& deck, BlockIndex index, IssueLog& issues, std::vector<SetClause>& clauses) {
+    OptionReader reader(deck, index, issues);
+    const ScopeId scope = reader.block().scope;
+    std::vector<WrittenId> ids;
+    bool open = false, ranges = false;
+    Span line;
+    while (reader.line(line)) {
+        const std::string_view text = deck.text(line);
+        const std::string_view head = trim(text.substr(0, 10));
+        if (trim(text).empty()) continue;
+        if (begins_with_letter(head)) {
+            if (open) finish(clauses.back(), ranges, ids, deck);
+            ids.clear();
+            ranges = false;
+            SetClause clause;
+            clause.scope = scope;
+            const auto at = line.begin + static_cast<uint64_t>(head.data() - text.data());
+            clause.place = {line.file, at, at + head.size()};
+            read_key(head, clause, ranges);
+            clauses.push_back(std::move(clause));
+            open = true;
+        } else if (open && clauses.back().key == "SEG") {
+            ListedSegment segment;
+            if (read_segment(deck, scope, line, issues, segment)) clauses.back().segments.push_back(segment);
+            continue;
+        }
+        if (open) read_clause_cells(deck, scope, line, issues, ids);
+    }
+    if (open) finish(clauses.back(), ranges, ids, deck);
+}
+
+} // namespace
+
+std::vector<SetClause> read_set(const Deck& deck, const OptionIndex& index, BlockIndex block, IssueLog& issues) {
+    std::vector<SetClause> clauses;
+    if (subtype(deck.blocks()[block].keyword) != "COLLECT") {
+        read_block(deck, block, issues, clauses);
+        return clauses;
+    }
+    int64_t id = 0;
+    for (const Option& option : index.all(Family::set))
+        if (option.block == block) id = option.id;
+    for (const Option& option : index.all(Family::set))
+        if (option.id == id && subtype(deck.blocks()[option.block].keyword) == "COLLECT")
+            read_block(deck, option.block, issues, clauses);
+    return clauses;
+}
+
+bool read_segment(const Deck& deck, ScopeId scope, const Span& line, IssueLog& issues, ListedSegment& segment) {
+    const Card card = read_card(deck, scope, line, segment_card);
+    static constexpr std::string_view names[] = {"node_ID1", "node_ID2", "node_ID3", "node_ID4"};
+    const int64_t offset = deck.scope(scope).offsets.node;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Cell& cell = card[names[i]];
+        issues.check(cell, names[i]);
+        segment.node[i] = Deck::global_id(cell.integer, offset);
+    }
+    if (segment.node[3] == 0) segment.node[3] = segment.node[2];
+    segment.line = line;
+    return segment.node[0] != 0 && segment.node[1] != 0 && segment.node[2] != 0;
+}
+
+} // namespace drawbead
