@@ -25,10 +25,12 @@ std::vector<Holder> read_holders(const Deck& deck, const OptionIndex& index, Iss
     const auto blocks = deck.blocks();
     for (BlockIndex i = 0; i < blocks.size(); ++i) {
         const std::string_view keyword = blocks[i].keyword;
-        const auto* known = std::find_if(std::begin(node_holders), std::end(node_holders), [&](const NodeHolder& h) {
-            // Other forms (/BCS/CYCLIC, /IMPVEL/FGEO …) have other cards.
-            return keyword == h.keyword || (is_option(keyword, h.keyword) && subtype(keyword) == "LAGMUL");
-        });
+        const auto* known =
+            std::find_if(std::begin(node_holders), std::end(node_holders), [&](const NodeHolder& h) {
+                // Other forms (/BCS/CYCLIC, /IMPVEL/FGEO …) have other cards.
+                return keyword == h.keyword ||
+                       (is_option(keyword, h.keyword) && subtype(keyword) == "LAGMUL");
+            });
         if (known == std::end(node_holders)) continue;
         OptionReader reader(deck, i, issues);
         Span line;
@@ -38,12 +40,15 @@ std::vector<Holder> read_holders(const Deck& deck, const OptionIndex& index, Iss
         const auto id_at = [&](uint32_t column, int64_t offset) {
             const uint32_t cell = (column - 1) / 10;
             return Deck::global_id(
-                read_cell(deck, blocks[i].scope, line, cell * width + 1, width, Kind::integer).integer, offset);
+                read_cell(deck, blocks[i].scope, line, cell * width + 1, width, Kind::integer).integer,
+                offset);
         };
         Holder holder;
-        holder.attachment = {kind_of(known->keyword), Deck::global_id(blocks[i].id, scope.offsets.general), i};
+        holder.attachment = {kind_of(known->keyword), Deck::global_id(blocks[i].id, scope.offsets.general),
+                             i};
         for (uint32_t n = 0; n < known->own_nodes; ++n)
-            if (const int64_t node = id_at(10 * n + 1, scope.offsets.node); node > 0) holder.nodes.push_back(node);
+            if (const int64_t node = id_at(10 * n + 1, scope.offsets.node); node > 0)
+                holder.nodes.push_back(node);
         if (known->group_column)
             if (const int64_t group = id_at(known->group_column, scope.offsets.general); group != 0)
                 holder.group = find_node_group(index, group);
@@ -52,8 +57,8 @@ std::vector<Holder> read_holders(const Deck& deck, const OptionIndex& index, Iss
     return holders;
 }
 
-std::map<uint32_t, std::vector<Attachment>> find_attachments(const std::vector<Holder>& holders, Resolver& resolver,
-                                                             const NodeSet& nodes) {
+std::map<uint32_t, std::vector<Attachment>> find_attachments(const std::vector<Holder>& holders,
+                                                             Resolver& resolver, const NodeSet& nodes) {
     std::map<uint32_t, std::vector<Attachment>> attachments;
     std::map<BlockIndex, std::vector<NodeRow>> held_by_group; // one group may serve many conditions
     for (const Holder& holder : holders) {
@@ -73,7 +78,8 @@ std::map<uint32_t, std::vector<Attachment>> find_attachments(const std::vector<H
             if (row && nodes.contains(*row) && std::find(held.begin(), held.end(), *row) == held.end())
                 held.push_back(*row);
         }
-        for (const NodeRow row : held) attachments[index(row)].push_back(holder.attachment);
+        for (const NodeRow row : held)
+            attachments[index(row)].push_back(holder.attachment);
     }
     return attachments;
 }

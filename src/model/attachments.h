@@ -15,7 +15,8 @@ struct Holder {
     std::vector<int64_t> nodes; ///< named on the card itself
 };
 
-/// In deck order. A group that does not exist is left out: its option is the solver's concern, not a drawbead's.
+/// In deck order. A group that does not exist is left out: its option is the solver's concern, not a
+/// drawbead's.
 std::vector<Holder> read_holders(const Deck&, const OptionIndex&, IssueLog&);
 
 /// The attachments of each of `nodes` (by row), in deck order. Only these nodes are kept of any group.

@@ -24,7 +24,8 @@ bool Box::contains(Vec3 p) const {
         return squared_norm(p - first) <= 0.25 * diameter * diameter;
     case Shape::boxes: {
         const auto holds = [&](const Box& box) { return box.contains(p); };
-        return std::any_of(plus.begin(), plus.end(), holds) && std::none_of(minus.begin(), minus.end(), holds);
+        return std::any_of(plus.begin(), plus.end(), holds) &&
+               std::none_of(minus.begin(), minus.end(), holds);
     }
     }
     return false;

@@ -48,7 +48,8 @@ void Demand::add_surface(BlockIndex block, bool stiffness) {
 
 void Demand::add_members(const Membership& membership, bool solids) {
     if (!membership.supported) return;
-    for (const Member& member : membership.members) add_referenced(member, solids);
+    for (const Member& member : membership.members)
+        add_referenced(member, solids);
 }
 
 void Demand::add_referenced(const Member& member, bool solids) {
@@ -110,7 +111,8 @@ void Demand::add_referenced(const Member& member, bool solids) {
 void Demand::add_set(BlockIndex block) {
     for (const SetClause& clause : read_set(deck_, index_, block, unreported_)) {
         if (clause.key == "SEG" && !clause.segments.empty()) all_ = solids_ = true;
-        for (const Member& member : clause.members) add_referenced(member, true);
+        for (const Member& member : clause.members)
+            add_referenced(member, true);
     }
 }
 

@@ -41,17 +41,17 @@ Drawbead read_drawbead(const Deck& deck, const OptionIndex& index, const Option&
     bead.title_line = reader.title_line();
 
     std::vector<Span> lines;
-    for (Span line; reader.line(line);) lines.push_back(line);
-    // A forgotten title swallows the first card: then what stands in the title's place names a group and a surface
-    // and the line after it does not.
-    bead.title_missing =
-        !reader.has_title_line() ||
-        (names_group_and_surface(deck, scope, index, bead.title_line) &&
-         (lines.empty() || !names_group_and_surface(deck, scope, index, lines[0])));
+    for (Span line; reader.line(line);)
+        lines.push_back(line);
+    // A forgotten title swallows the first card: then what stands in the title's place names a group and a
+    // surface and the line after it does not.
+    bead.title_missing = !reader.has_title_line() ||
+                         (names_group_and_surface(deck, scope, index, bead.title_line) &&
+                          (lines.empty() || !names_group_and_surface(deck, scope, index, lines[0])));
 
     for (std::size_t i = 0; i < schemas.size(); ++i) {
-        bead.cards[i] =
-            i < lines.size() ? read_card(deck, scope, lines[i], *schemas[i]) : missing_card(deck, scope, *schemas[i]);
+        bead.cards[i] = i < lines.size() ? read_card(deck, scope, lines[i], *schemas[i])
+                                         : missing_card(deck, scope, *schemas[i]);
         issues.check(bead.cards[i]);
     }
     for (std::size_t i = schemas.size(); i < lines.size(); ++i)

@@ -33,7 +33,8 @@ bool IssueLog::check(const Cell& cell, std::string_view field) {
 }
 
 void IssueLog::check(const Card& card) {
-    for (std::size_t i = 0; i < card.cells.size(); ++i) check(card.cells[i], card.schema->fields[i].name);
+    for (std::size_t i = 0; i < card.cells.size(); ++i)
+        check(card.cells[i], card.schema->fields[i].name);
 }
 
 } // namespace drawbead

@@ -9,13 +9,14 @@
 
 namespace drawbead {
 
-/// Issues in the order in which they were met, each kind at most `limit` times; the last one listed of a kind counts
-/// the rest.
+/// Issues in the order in which they were met, each kind at most `limit` times; the last one listed of a kind
+/// counts the rest.
 class IssueLog {
 public:
     static constexpr std::size_t limit = 100;
 
-    void add(ReadIssue::Kind kind, Span place, std::string subject, std::string detail = {}, Span related = {});
+    void add(ReadIssue::Kind kind, Span place, std::string subject, std::string detail = {},
+             Span related = {});
     /// What is wrong with the text of a cell; true when its value can be used.
     bool check(const Cell&, std::string_view field);
     void check(const Card&);

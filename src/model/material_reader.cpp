@@ -35,9 +35,8 @@ Law law_of(std::string_view name) {
         law.cards = known.cards;
         break;
     }
-    if (!law.known &&
-        std::find(std::begin(unnamed_isotropic_laws), std::end(unnamed_isotropic_laws), number) !=
-            std::end(unnamed_isotropic_laws)) {
+    if (!law.known && std::find(std::begin(unnamed_isotropic_laws), std::end(unnamed_isotropic_laws),
+                                number) != std::end(unnamed_isotropic_laws)) {
         law.known = true;
         law.number = number;
         law.cards = ElasticCards::isotropic;
@@ -50,11 +49,13 @@ double bulk_modulus(double young, double poisson) {
     return young / (3 * (1 - 2 * poisson));
 }
 
-/// LAW93: the solver takes the largest Young's modulus, and the largest entry of the 3D stiffness as bulk modulus.
+/// LAW93: the solver takes the largest Young's modulus, and the largest entry of the 3D stiffness as bulk
+/// modulus.
 void take_hill(OptionReader& reader, Material& material) {
     const Card first = reader.card(hill_card);
     const Card second = reader.card(hill_shear_card);
-    const double e1 = reader.real(first, "E11"), e2 = reader.real(first, "E22"), e3 = reader.real(first, "E33");
+    const double e1 = reader.real(first, "E11"), e2 = reader.real(first, "E22"),
+                 e3 = reader.real(first, "E33");
     const double n12 = reader.real(first, "nu12");
     const double n13 = reader.real(second, "nu13"), n23 = reader.real(second, "nu23");
     material.young = std::max({e1, e2, e3});
@@ -72,7 +73,8 @@ void take_hill(OptionReader& reader, Material& material) {
 /// LAW15, 19, 25: the plane-stress modulus of the stiffer direction serves as both.
 void take_composite(OptionReader& reader, Material& material) {
     const Card card = reader.card(composite_card);
-    const double e1 = reader.real(card, "E11"), e2 = reader.real(card, "E22"), n12 = reader.real(card, "nu12");
+    const double e1 = reader.real(card, "E11"), e2 = reader.real(card, "E22"),
+                 n12 = reader.real(card, "nu12");
     const double n21 = e1 > 0 ? n12 * e2 / e1 : 0;
     material.young = std::max(e1, e2) / (1 - n12 * n21);
     material.bulk = material.young;
@@ -102,7 +104,8 @@ Material read_material(const Deck& deck, const Option& option, IssueLog& issues)
         for (const PredefinedMaterial& known : predefined_materials)
             if (known.name == name) {
                 material.stiffness = Material::Stiffness::known;
-                material.young = known.young * conversion_factor(UnitSystem{}, deck.work_units(), pressure_dimension);
+                material.young =
+                    known.young * conversion_factor(UnitSystem{}, deck.work_units(), pressure_dimension);
                 material.bulk = bulk_modulus(material.young, known.poisson);
             }
         return material;

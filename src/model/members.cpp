@@ -22,9 +22,11 @@ constexpr TypeName common_types[] = {
     {"BOX2", MemberKind::box_touching}, {"SUBMODEL", MemberKind::submodel},
 };
 constexpr TypeName group_types[] = {
-    {"GRSHEL", MemberKind::shell_group}, {"GRSH3N", MemberKind::sh3n_group}, {"GRTRIA", MemberKind::sh3n_group},
-    {"GRBRIC", MemberKind::brick_group}, {"SURF", MemberKind::surface},      {"DSURF", MemberKind::surface},
-    {"LINE", MemberKind::line},          {"GRNODNS", MemberKind::node_group}, {"GRNOD", MemberKind::node_group},
+    {"GRSHEL", MemberKind::shell_group}, {"GRSH3N", MemberKind::sh3n_group},
+    {"GRTRIA", MemberKind::sh3n_group},  {"GRBRIC", MemberKind::brick_group},
+    {"SURF", MemberKind::surface},       {"DSURF", MemberKind::surface},
+    {"LINE", MemberKind::line},          {"GRNODNS", MemberKind::node_group},
+    {"GRNOD", MemberKind::node_group},
 };
 
 template <std::size_t N>
@@ -56,10 +58,11 @@ Member reference(MemberKind kind, const WrittenId& written, int64_t offset) {
 void read_references(const Deck& deck, const Block& block, MemberKind kind, IssueLog& issues,
                      std::vector<Member>& members) {
     const int64_t offset = offset_of(deck.scope(block.scope), kind);
-    for_each_id(deck, block.scope, list_text(deck, block), issues, [&](const WrittenId* ids, std::size_t count) {
-        for (std::size_t i = 0; i < count; ++i)
-            if (ids[i].id != 0) members.push_back(reference(kind, ids[i], offset));
-    });
+    for_each_id(deck, block.scope, list_text(deck, block), issues,
+                [&](const WrittenId* ids, std::size_t count) {
+                    for (std::size_t i = 0; i < count; ++i)
+                        if (ids[i].id != 0) members.push_back(reference(kind, ids[i], offset));
+                });
 }
 
 /// GENE: pairs first, last; GEN_INCR: one triple first, last, increment per line.
@@ -68,26 +71,26 @@ void read_ranges(const Deck& deck, const Block& block, MemberKind kind, bool inc
     const int64_t offset = offset_of(deck.scope(block.scope), kind);
     const std::size_t stride = increments ? 3 : 2;
     std::vector<WrittenId> pending;
-    for_each_id(deck, block.scope, list_text(deck, block), issues, [&](const WrittenId* ids, std::size_t count) {
-        if (increments) pending.clear();
-        pending.insert(pending.end(), ids, ids + count);
-        while (pending.size() >= 2) {
-            Member member = reference(kind, pending[0], offset);
-            member.last = Deck::global_id(pending[1].id, offset);
-            member.step = increments && pending.size() > 2 && pending[2].id > 0 ? pending[2].id : 1;
-            members.push_back(member);
-            pending.erase(pending.begin(),
-                          pending.begin() + static_cast<std::ptrdiff_t>(std::min(stride, pending.size())));
-        }
-    });
+    for_each_id(
+        deck, block.scope, list_text(deck, block), issues, [&](const WrittenId* ids, std::size_t count) {
+            if (increments) pending.clear();
+            pending.insert(pending.end(), ids, ids + count);
+            while (pending.size() >= 2) {
+                Member member = reference(kind, pending[0], offset);
+                member.last = Deck::global_id(pending[1].id, offset);
+                member.step = increments && pending.size() > 2 && pending[2].id > 0 ? pending[2].id : 1;
+                members.push_back(member);
+                pending.erase(pending.begin(), pending.begin() + static_cast<std::ptrdiff_t>(
+                                                                     std::min(stride, pending.size())));
+            }
+        });
 }
 
 } // namespace
 
 bool is_node_list(std::string_view keyword) {
     const std::string_view type = subtype(keyword);
-    return is_option(keyword, "GRNOD") &&
-           (type.substr(0, 4) == "NODE" || type.substr(0, 5) == "CNODE");
+    return is_option(keyword, "GRNOD") && (type.substr(0, 4) == "NODE" || type.substr(0, 5) == "CNODE");
 }
 
 bool is_ordered_list(std::string_view keyword) {
@@ -140,7 +143,8 @@ Membership read_membership(const Deck& deck, BlockIndex index, IssueLog& issues)
     }
     std::optional<MemberKind> kind = find(common_types, type);
     if (!kind) kind = find(group_types, type);
-    if (!kind && listed && (type == "SHEL" || type == "SH3N" || type == "TRIA" || type == "BRIC")) kind = listed;
+    if (!kind && listed && (type == "SHEL" || type == "SH3N" || type == "TRIA" || type == "BRIC"))
+        kind = listed;
     if (!kind || !membership.supported) {
         membership.supported = false;
         return membership;

@@ -48,8 +48,8 @@ struct Membership {
     Faces faces = Faces::none;
 };
 
-/// Members of a /GRNOD, /GRSHEL, /GRSH3N, /GRTRIA, /GRBRIC, /SURF or /LINE whose data are lists of references or of
-/// element ids. Not for lists of nodes or segments, whose order matters.
+/// Members of a /GRNOD, /GRSHEL, /GRSH3N, /GRTRIA, /GRBRIC, /SURF or /LINE whose data are lists of references
+/// or of element ids. Not for lists of nodes or segments, whose order matters.
 Membership read_membership(const Deck&, BlockIndex, IssueLog&);
 
 /// Lists of nodes: NODE, CNODE, NODENS.

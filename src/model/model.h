@@ -52,7 +52,8 @@ struct ReadIssue {
     std::string subject;
     std::string detail;
     Span related;
-    uint64_t count = 1; ///< how many alike this one stands for: lists are cut, the last one listed counts the rest
+    uint64_t count =
+        1; ///< how many alike this one stands for: lists are cut, the last one listed counts the rest
 };
 
 struct Counts {

@@ -9,8 +9,8 @@
 
 namespace drawbead {
 
-/// Builds a model in one pass: options first, then the tables as far as the drawbeads need them, then what refers to
-/// table rows.
+/// Builds a model in one pass: options first, then the tables as far as the drawbeads need them, then what
+/// refers to table rows.
 class ModelBuilder {
 public:
     ModelBuilder(const Deck& deck, Needs needs, unsigned threads)
@@ -40,7 +40,8 @@ private:
         model_.properties_ = read_properties(deck_, index_, issues_);
         model_.materials_ = read_materials(deck_, index_, issues_);
         const auto number = [](const auto& entities, std::map<int64_t, uint32_t>& rows) {
-            for (uint32_t i = 0; i < entities.size(); ++i) rows.emplace(entities[i].id, i);
+            for (uint32_t i = 0; i < entities.size(); ++i)
+                rows.emplace(entities[i].id, i);
         };
         number(model_.parts_, model_.part_index_);
         number(model_.properties_, model_.property_index_);
@@ -67,15 +68,16 @@ private:
                 if (*bead.group == group_ids_.size()) group_ids_.push_back({bead.group_id, *block});
             }
             if (const auto block = find_surface(index_, bead.surface_id)) {
-                bead.surface = surfaces.emplace(*block, static_cast<uint32_t>(surface_ids_.size())).first->second;
+                bead.surface =
+                    surfaces.emplace(*block, static_cast<uint32_t>(surface_ids_.size())).first->second;
                 if (*bead.surface == surface_ids_.size()) surface_ids_.push_back({bead.surface_id, *block});
             }
         }
     }
 
     bool with_nodes() const {
-        constexpr Needs geometric = Needs::coordinates | Needs::blank_elements | Needs::element_thickness |
-                                    Needs::attachments;
+        constexpr Needs geometric =
+            Needs::coordinates | Needs::blank_elements | Needs::element_thickness | Needs::attachments;
         return !model_.drawbeads_.empty() && (uint32_t(needs_) & uint32_t(geometric)) != 0;
     }
     bool with_elements() const {
@@ -88,14 +90,16 @@ private:
         request.coordinates = with_nodes();
         Demand demand(deck_, index_, picker);
         if (with_nodes()) {
-            for (const Option& group : group_ids_) demand.add_group(group.block);
+            for (const Option& group : group_ids_)
+                demand.add_group(group.block);
             for (const Transform& transform : transforms_)
                 if (const auto group = find_node_group(index_, transform.group)) demand.add_group(*group);
             for (const Holder& holder : holders_)
                 if (holder.group) demand.add_group(*holder.group);
         }
         if (with_elements())
-            for (const Option& surface : surface_ids_) demand.add_surface(surface.block, true);
+            for (const Option& surface : surface_ids_)
+                demand.add_surface(surface.block, true);
         using Elements = TableRequest::Elements;
         request.elements = demand.all() ? Elements::all : demand.any() ? Elements::of_parts : Elements::none;
         request.parts = demand.parts();
@@ -112,7 +116,8 @@ private:
     void expand(const PartPicker& picker, Tables& tables) {
         Resolver resolver(deck_, index_, picker, tables, issues_, threads_);
         for (const Option& group : group_ids_) {
-            model_.groups_.push_back(with_nodes() ? resolver.group(group.id, group.block) : bare_group(group));
+            model_.groups_.push_back(with_nodes() ? resolver.group(group.id, group.block)
+                                                  : bare_group(group));
         }
         std::vector<SurfaceContent> contents;
         for (const Option& option : surface_ids_) {
@@ -129,7 +134,8 @@ private:
         if (!holders_.empty()) {
             NodeSet bead_nodes(tables.nodes.size());
             for (const NodeGroup& group : model_.groups_)
-                for (const NodeRow node : group.nodes) bead_nodes.insert(node);
+                for (const NodeRow node : group.nodes)
+                    bead_nodes.insert(node);
             model_.attachments_ = find_attachments(holders_, resolver, bead_nodes);
         }
         apply_transforms(transforms_, deck_, index_, picker, resolver, threads_, tables.nodes);
@@ -160,7 +166,8 @@ private:
                 if (clause.key != "NODENS") continue;
                 plain = plain && !clause.remove && !clause.intersect && group.nodens_clauses.empty();
                 group.nodens_clauses.push_back(clause.place);
-                for (const WrittenId& id : clause.nodes) group.listed.push_back({id.id, no_node, id.place});
+                for (const WrittenId& id : clause.nodes)
+                    group.listed.push_back({id.id, no_node, id.place});
             }
             if (!group.nodens_clauses.empty())
                 group.order = plain ? NodeGroup::Order::unsorted : NodeGroup::Order::lost_in_set;
@@ -188,10 +195,11 @@ private:
 
     /// The parts that a surface's elements belong to.
     void note_blanks(const SurfaceContent& content, const Tables& tables, const Surface& surface) {
-        const auto of_runs = [&](const std::vector<SegmentRun>& runs, const std::vector<ElementRange>& ranges) {
+        const auto of_runs = [&](const std::vector<SegmentRun>& runs,
+                                 const std::vector<ElementRange>& ranges) {
             for (const SegmentRun& run : runs)
-                for (auto range = range_at(ranges, run.begin); range != ranges.end() && range->row_begin < run.end;
-                     ++range)
+                for (auto range = range_at(ranges, run.begin);
+                     range != ranges.end() && range->row_begin < run.end; ++range)
                     blanks_.insert(range->part);
         };
         of_runs(content.shells4, tables.shells4.ranges);
@@ -204,11 +212,14 @@ private:
             const auto range = range_at(ranges, segment.element);
             if (range != ranges.end()) blanks_.insert(range->part);
         };
-        for (std::size_t i = 0; i < surface.lines.size(); ++i) of_segment(surface.segments[i]);
-        for (const Segment& face : content.faces) of_segment(face);
+        for (std::size_t i = 0; i < surface.lines.size(); ++i)
+            of_segment(surface.segments[i]);
+        for (const Segment& face : content.faces)
+            of_segment(face);
     }
 
-    static std::vector<ElementRange>::const_iterator range_at(const std::vector<ElementRange>& ranges, uint32_t row) {
+    static std::vector<ElementRange>::const_iterator range_at(const std::vector<ElementRange>& ranges,
+                                                              uint32_t row) {
         return std::upper_bound(ranges.begin(), ranges.end(), row,
                                 [](uint32_t r, const ElementRange& range) { return r < range.row_end; });
     }
@@ -221,9 +232,11 @@ private:
             const Block& block = deck_.blocks()[part->block];
             const std::string subject = "part " + std::to_string(id);
             if (!model_.property(part->property))
-                issues_.add(ReadIssue::Kind::property_missing, block.header, subject, std::to_string(part->property));
+                issues_.add(ReadIssue::Kind::property_missing, block.header, subject,
+                            std::to_string(part->property));
             if (!model_.material(part->material))
-                issues_.add(ReadIssue::Kind::material_missing, block.header, subject, std::to_string(part->material));
+                issues_.add(ReadIssue::Kind::material_missing, block.header, subject,
+                            std::to_string(part->material));
         }
     }
 

@@ -20,23 +20,28 @@ public:
     /// As insert; several threads may call it at a time.
     void insert_shared(NodeRow row) {
         std::atomic_ref<uint64_t> word(words_[index(row) / 64]);
-        if (!(word.load(std::memory_order_relaxed) & bit(row))) word.fetch_or(bit(row), std::memory_order_relaxed);
+        if (!(word.load(std::memory_order_relaxed) & bit(row)))
+            word.fetch_or(bit(row), std::memory_order_relaxed);
     }
     void unite(const NodeSet& other) {
-        for (std::size_t i = 0; i < words_.size(); ++i) words_[i] |= other.words_[i];
+        for (std::size_t i = 0; i < words_.size(); ++i)
+            words_[i] |= other.words_[i];
     }
     void subtract(const NodeSet& other) {
-        for (std::size_t i = 0; i < words_.size(); ++i) words_[i] &= ~other.words_[i];
+        for (std::size_t i = 0; i < words_.size(); ++i)
+            words_[i] &= ~other.words_[i];
     }
     void intersect(const NodeSet& other) {
-        for (std::size_t i = 0; i < words_.size(); ++i) words_[i] &= other.words_[i];
+        for (std::size_t i = 0; i < words_.size(); ++i)
+            words_[i] &= other.words_[i];
     }
     /// Ascending rows.
     std::vector<NodeRow> rows() const {
         std::vector<NodeRow> rows;
         for (std::size_t i = 0; i < words_.size(); ++i)
             for (uint64_t word = words_[i]; word; word &= word - 1)
-                rows.push_back(NodeRow{static_cast<uint32_t>(64 * i) + static_cast<uint32_t>(__builtin_ctzll(word))});
+                rows.push_back(
+                    NodeRow{static_cast<uint32_t>(64 * i) + static_cast<uint32_t>(__builtin_ctzll(word))});
         return rows;
     }
 

@@ -40,10 +40,10 @@ bool is_option(std::string_view keyword, std::string_view name) {
 }
 
 std::string_view family_name(Family family) {
-    static constexpr std::string_view names[] = {"interface",   "node group",  "surface",  "line",     "part group",
-                                                 "shell group", "sh3n group",  "brick group", "part",  "property",
-                                                 "material",    "ply",         "subset",   "box",      "set",
-                                                 "submodel",    "rigid body"};
+    static constexpr std::string_view names[] = {
+        "interface",  "node group",  "surface", "line",     "part group", "shell group",
+        "sh3n group", "brick group", "part",    "property", "material",   "ply",
+        "subset",     "box",         "set",     "submodel", "rigid body"};
     static_assert(std::size(names) == static_cast<std::size_t>(Family::count_));
     return names[static_cast<std::size_t>(family)];
 }
@@ -80,7 +80,8 @@ OptionIndex::OptionIndex(const Deck& deck, IssueLog& issues) {
                        std::string(family_name(*family)) + ' ' + std::to_string(id), {},
                        blocks[known->second].header);
         // Plies may also be written as properties.
-        if (*family == Family::property && (subtype(block.keyword) == "PLY" || subtype(block.keyword) == "TYPE19")) {
+        if (*family == Family::property &&
+            (subtype(block.keyword) == "PLY" || subtype(block.keyword) == "TYPE19")) {
             const auto ply = static_cast<std::size_t>(Family::ply);
             options_[ply].push_back({id, i});
             by_id_[ply].emplace(id, i);

@@ -8,7 +8,8 @@ namespace drawbead {
 
 namespace {
 
-/// Layouts below 51 carry the title at the end of the header line; decks written for them by newer tools do not.
+/// Layouts below 51 carry the title at the end of the header line; decks written for them by newer tools do
+/// not.
 bool title_on_header(const Deck& deck, const Block& block) {
     if (deck.scope(block.scope).layout >= 51) return false;
     std::string_view text = trim(deck.text(block.header));
@@ -61,24 +62,29 @@ namespace {
 
 using TenIds = std::array<WrittenId, 10>;
 
-/// Plain cells only: blanks, an optional minus sign, digits, blanks. False when the line needs the exact path.
-bool read_plain_line(std::string_view text, const Span& line, std::size_t width, TenIds& ids, std::size_t& count) {
+/// Plain cells only: blanks, an optional minus sign, digits, blanks. False when the line needs the exact
+/// path.
+bool read_plain_line(std::string_view text, const Span& line, std::size_t width, TenIds& ids,
+                     std::size_t& count) {
     if (text.size() > 10 * width) text = text.substr(0, 10 * width);
     count = 0;
     for (std::size_t begin = 0; begin < text.size(); begin += width) {
         const std::size_t end = begin + width < text.size() ? begin + width : text.size();
         std::size_t at = begin;
-        while (at < end && text[at] == ' ') ++at;
+        while (at < end && text[at] == ' ')
+            ++at;
         if (at == end) continue;
         const std::size_t first = at;
         const bool negative = text[at] == '-';
         if (negative) ++at;
         const std::size_t digits = at;
         int64_t id = 0;
-        while (at < end && text[at] >= '0' && text[at] <= '9') id = 10 * id + (text[at++] - '0');
+        while (at < end && text[at] >= '0' && text[at] <= '9')
+            id = 10 * id + (text[at++] - '0');
         if (at == digits || id > 2147483647) return false;
         const std::size_t last = at;
-        while (at < end && text[at] == ' ') ++at;
+        while (at < end && text[at] == ' ')
+            ++at;
         if (at != end) return false;
         ids[count++] = {negative ? -id : id, {line.file, line.begin + first, line.begin + last}};
     }

@@ -56,8 +56,8 @@ struct WrittenId {
     Span place;
 };
 
-/// Calls `take` for every cell of an id list that holds a number (zeros included), in order. `lines` is the list's
-/// text without the title. Cells that cannot be read are reported and left out.
+/// Calls `take` for every cell of an id list that holds a number (zeros included), in order. `lines` is the
+/// list's text without the title. Cells that cannot be read are reported and left out.
 void for_each_id(const Deck&, ScopeId, const Span& lines, IssueLog&,
                  const std::function<void(const WrittenId*, std::size_t count)>& take);
 

@@ -6,9 +6,11 @@
 
 namespace drawbead {
 
-PartPicker::PartPicker(const Deck& deck, const OptionIndex& index, std::span<const Part> parts, IssueLog& issues)
+PartPicker::PartPicker(const Deck& deck, const OptionIndex& index, std::span<const Part> parts,
+                       IssueLog& issues)
     : deck_(deck), index_(index), parts_(parts) {
-    for (uint32_t i = 0; i < parts.size(); ++i) by_id_.emplace(parts[i].id, i);
+    for (uint32_t i = 0; i < parts.size(); ++i)
+        by_id_.emplace(parts[i].id, i);
     for (const Option& subset : index.all(Family::subset)) {
         const Block& block = deck.blocks()[subset.block];
         const int64_t offset = deck.scope(block.scope).offsets.general;
@@ -89,9 +91,8 @@ std::vector<uint32_t> PartPicker::pick(const Member& member, bool& known) const 
         known = !picked.empty() || index_.find(Family::material, member.first);
         break;
     case MemberKind::submodel:
-        all_that([&](const Part& part) {
-            return in_submodel(deck_.blocks()[part.block].scope, member.first);
-        });
+        all_that(
+            [&](const Part& part) { return in_submodel(deck_.blocks()[part.block].scope, member.first); });
         for (std::size_t i = 0; known && picked.empty() && i <= deck_.scope_count(); ++i) {
             known = i < deck_.scope_count();
             if (known && deck_.scope(ScopeId{static_cast<uint32_t>(i)}).submodel == member.first) break;

@@ -47,7 +47,8 @@ int property_type(std::string_view name) {
 }
 
 /// Thickness of a /PLY (or /PROP/PLY); false when there is none.
-bool ply_thickness(const Deck& deck, const OptionIndex& index, int64_t id, IssueLog& issues, double& thickness) {
+bool ply_thickness(const Deck& deck, const OptionIndex& index, int64_t id, IssueLog& issues,
+                   double& thickness) {
     const auto block = index.find(Family::ply, id);
     if (!block || is_encrypted(deck, deck.blocks()[*block])) return false;
     OptionReader reader(deck, *block, issues);
@@ -56,8 +57,8 @@ bool ply_thickness(const Deck& deck, const OptionIndex& index, int64_t id, Issue
     return card["Thick"].given();
 }
 
-/// Sum over the plies that a stack lists after its fourth card: every second line names one. Empty when a ply is not
-/// found or the stack is made of sub-laminates.
+/// Sum over the plies that a stack lists after its fourth card: every second line names one. Empty when a ply
+/// is not found or the stack is made of sub-laminates.
 bool stack_thickness(const Deck& deck, const OptionIndex& index, OptionReader& reader, IssueLog& issues,
                      double& thickness) {
     thickness = 0;

@@ -35,10 +35,10 @@ struct SegmentRun {
 
 /// A surface before its segments are written out.
 struct SurfaceContent {
-    std::vector<ListedSegment> listed;         ///< SEG lines, reversed where a sign says so
-    std::vector<SegmentRun> shells4, shells3;  ///< ascending within each surface of a surface of surfaces
-    std::vector<Segment> faces;                ///< of solids, or of DSURF
-    bool ordered = false;                      ///< `faces` stand in the solver's order (DSURF)
+    std::vector<ListedSegment> listed;        ///< SEG lines, reversed where a sign says so
+    std::vector<SegmentRun> shells4, shells3; ///< ascending within each surface of a surface of surfaces
+    std::vector<Segment> faces;               ///< of solids, or of DSURF
+    bool ordered = false;                     ///< `faces` stand in the solver's order (DSURF)
     bool evaluated = true;
 };
 
@@ -67,8 +67,8 @@ public:
 
     /// A node group (or set) as an interface takes it.
     NodeGroup group(int64_t id, BlockIndex);
-    /// The nodes of a group, without order; `only` restricts the work to some nodes. False when the group cannot be
-    /// expanded, which is reported.
+    /// The nodes of a group, without order; `only` restricts the work to some nodes. False when the group
+    /// cannot be expanded, which is reported.
     bool nodes(BlockIndex group, NodeSet& set, const NodeSet* only = nullptr);
 
     SurfaceContent surface(BlockIndex);
@@ -123,26 +123,27 @@ private:
     IssueLog& issues_;
     unsigned threads_;
     std::map<PartId, std::vector<RowRun>> shells4_of_, shells3_of_, solids_of_;
-    std::array<std::map<BlockIndex, NodeSet>, 2> group_cache_; ///< groups that other groups refer to: whole, restricted
-    std::vector<BlockIndex> open_;              ///< options being expanded, against recursion
+    std::array<std::map<BlockIndex, NodeSet>, 2>
+        group_cache_;              ///< groups that other groups refer to: whole, restricted
+    std::vector<BlockIndex> open_; ///< options being expanded, against recursion
     std::set<std::pair<uint64_t, uint64_t>> reported_;
 };
 
-/// Whether four nodes in order make a segment after equal neighbours were merged; brings them to n1 n2 n3 n3 and says
-/// whether that changed them.
+/// Whether four nodes in order make a segment after equal neighbours were merged; brings them to n1 n2 n3 n3
+/// and says whether that changed them.
 bool normalise(std::array<NodeRow, 4>& nodes, bool& repaired);
 
 /// Writes the segments of a surface: SEG lines, quadrilaterals, triangles, faces. Shells run in parallel.
 void write_segments(const SurfaceContent&, const Tables&, unsigned threads, Surface&);
 
-/// Finds the elements behind the SEG lines of a surface and turns what has a solid behind it outward. `stronger` says
-/// whether the first of two shells (kind and row) gives the stiffness.
+/// Finds the elements behind the SEG lines of a surface and turns what has a solid behind it outward.
+/// `stronger` says whether the first of two shells (kind and row) gives the stiffness.
 struct ShellRef {
     ElementKind kind = ElementKind::none;
     uint32_t row = 0;
 };
-void find_elements_behind(const Tables&, unsigned threads, const std::function<bool(ShellRef, ShellRef)>& stronger,
-                          Surface&);
+void find_elements_behind(const Tables&, unsigned threads,
+                          const std::function<bool(ShellRef, ShellRef)>& stronger, Surface&);
 /// Turns the faces of solids outward.
 void turn_faces_outward(const Tables&, Surface&);
 

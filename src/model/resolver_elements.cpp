@@ -20,8 +20,10 @@ ElementRows intersect(const ElementRows& a, const ElementRows& b) {
 Resolver::Resolver(const Deck& deck, const OptionIndex& index, const PartPicker& picker, const Tables& tables,
                    IssueLog& issues, unsigned threads)
     : deck_(deck), index_(index), picker_(picker), tables_(tables), issues_(issues), threads_(threads) {
-    const auto collect = [](const std::vector<ElementRange>& ranges, std::map<PartId, std::vector<RowRun>>& of) {
-        for (const ElementRange& range : ranges) of[range.part].push_back({range.row_begin, range.row_end});
+    const auto collect = [](const std::vector<ElementRange>& ranges,
+                            std::map<PartId, std::vector<RowRun>>& of) {
+        for (const ElementRange& range : ranges)
+            of[range.part].push_back({range.row_begin, range.row_end});
     };
     collect(tables.shells4.ranges, shells4_of_);
     collect(tables.shells3.ranges, shells3_of_);
@@ -30,7 +32,9 @@ Resolver::Resolver(const Deck& deck, const OptionIndex& index, const PartPicker&
 
 void Resolver::report(ReadIssue::Kind kind, Span place, std::string subject, std::string detail) {
     // The same list may be expanded more than once.
-    if (!reported_.emplace(uint64_t{index(place.file)} << 8 | static_cast<uint64_t>(kind), place.begin).second) return;
+    if (!reported_.emplace(uint64_t{index(place.file)} << 8 | static_cast<uint64_t>(kind), place.begin)
+             .second)
+        return;
     issues_.add(kind, place, std::move(subject), std::move(detail));
 }
 
@@ -41,7 +45,8 @@ std::optional<NodeRow> Resolver::row(int64_t id) const {
 
 ElementRows Resolver::rows_of_parts(const std::vector<uint32_t>& parts) const {
     std::vector<RowRun> shells4, shells3, solids;
-    const auto take = [](const std::map<PartId, std::vector<RowRun>>& of, PartId id, std::vector<RowRun>& runs) {
+    const auto take = [](const std::map<PartId, std::vector<RowRun>>& of, PartId id,
+                         std::vector<RowRun>& runs) {
         if (const auto found = of.find(id); found != of.end())
             runs.insert(runs.end(), found->second.begin(), found->second.end());
     };
@@ -51,7 +56,8 @@ ElementRows Resolver::rows_of_parts(const std::vector<uint32_t>& parts) const {
         take(shells3_of_, id, shells3);
         take(solids_of_, id, solids);
     }
-    return {RowSet::of_runs(std::move(shells4)), RowSet::of_runs(std::move(shells3)), RowSet::of_runs(std::move(solids))};
+    return {RowSet::of_runs(std::move(shells4)), RowSet::of_runs(std::move(shells3)),
+            RowSet::of_runs(std::move(solids))};
 }
 
 namespace {
@@ -62,7 +68,8 @@ RowSet rows_of_ids(const IdMap& map, std::span<const uint32_t> ids, const Member
     const int64_t last = std::min<int64_t>(member.last, 0xfffffffe);
     if ((last - member.first) / member.step <= static_cast<int64_t>(4 * ids.size())) {
         for (int64_t id = std::max<int64_t>(member.first, 1); id <= last; id += member.step)
-            if (const uint32_t row = map.row(static_cast<uint32_t>(id)); row != IdMap::none) rows.push_back(row);
+            if (const uint32_t row = map.row(static_cast<uint32_t>(id)); row != IdMap::none)
+                rows.push_back(row);
     } else {
         for (uint32_t row = 0; row < ids.size(); ++row)
             if (ids[row] >= member.first && ids[row] <= last && (ids[row] - member.first) % member.step == 0)
@@ -216,7 +223,8 @@ ElementRows Resolver::rows_in_box(const Member& member, bool& supported) {
         }
         return RowSet::of_rows(std::move(rows));
     };
-    return {pick(tables_.shells4.nodes, tables_.shells4.size()), pick(tables_.shells3.nodes, tables_.shells3.size()),
+    return {pick(tables_.shells4.nodes, tables_.shells4.size()),
+            pick(tables_.shells3.nodes, tables_.shells3.size()),
             pick(tables_.solids.nodes, tables_.solids.size())};
 }
 

@@ -10,8 +10,8 @@ namespace {
 constexpr uint32_t rows_per_piece = 1u << 16;
 constexpr std::size_t longest_list = 50'000'000; ///< groups of groups can double at every level
 
-/// The list's text in pieces that end at line ends, so that long lists are read by several threads. Directive lines
-/// and what may continue them stay in one piece.
+/// The list's text in pieces that end at line ends, so that long lists are read by several threads. Directive
+/// lines and what may continue them stay in one piece.
 std::vector<Span> line_pieces(const Deck& deck, const Span& text) {
     constexpr uint64_t piece = uint64_t{1} << 21;
     std::vector<Span> pieces;
@@ -70,9 +70,11 @@ void Resolver::add_listed_nodes(const Block& block, NodeSet& set, const NodeSet*
         });
     });
     for (std::size_t p = 0; p < pieces.size(); ++p) {
-        for (const ReadIssue& issue : logs[p].take()) report(issue.kind, issue.place, issue.subject, issue.detail);
+        for (const ReadIssue& issue : logs[p].take())
+            report(issue.kind, issue.place, issue.subject, issue.detail);
         for (const WrittenId& id : missing[p])
-            report(ReadIssue::Kind::member_missing, id.place, "node " + std::to_string(Deck::global_id(id.id, offset)));
+            report(ReadIssue::Kind::member_missing, id.place,
+                   "node " + std::to_string(Deck::global_id(id.id, offset)));
     }
 }
 
@@ -88,7 +90,8 @@ void Resolver::add_node_range(const Member& member, NodeSet& set, const NodeSet*
         return;
     }
     for (uint32_t i = 0; i < nodes.size(); ++i)
-        if (nodes.id[i] >= member.first && nodes.id[i] <= last && (nodes.id[i] - member.first) % member.step == 0)
+        if (nodes.id[i] >= member.first && nodes.id[i] <= last &&
+            (nodes.id[i] - member.first) % member.step == 0)
             take(NodeRow{i});
 }
 
@@ -101,12 +104,14 @@ void Resolver::add_surface_nodes(const SurfaceContent& content, NodeSet& set, co
             if (const auto node = row(id)) take(*node);
     const auto rows = [](const std::vector<SegmentRun>& runs) {
         std::vector<RowRun> plain;
-        for (const SegmentRun& run : runs) plain.push_back({run.begin, run.end});
+        for (const SegmentRun& run : runs)
+            plain.push_back({run.begin, run.end});
         return RowSet::of_runs(std::move(plain));
     };
     add_nodes({rows(content.shells4), rows(content.shells3), {}}, set, only);
     for (const Segment& face : content.faces)
-        for (const NodeRow node : face.n) take(node);
+        for (const NodeRow node : face.n)
+            take(node);
 }
 
 bool Resolver::add_member_nodes(const Member& member, NodeSet& set, const NodeSet* only) {
@@ -153,7 +158,8 @@ bool Resolver::add_member_nodes(const Member& member, NodeSet& set, const NodeSe
             for (const uint32_t column : {11u, 21u}) {
                 const Cell cell = read_cell(deck_, block.scope, text, column, 10, Kind::integer);
                 const auto node = row(Deck::global_id(cell.integer, deck_.scope(block.scope).offsets.node));
-                if (issues_.check(cell, "node_ID") && node && (!only || only->contains(*node))) set.insert(*node);
+                if (issues_.check(cell, "node_ID") && node && (!only || only->contains(*node)))
+                    set.insert(*node);
             }
         return true;
     }
@@ -219,7 +225,9 @@ bool Resolver::nodes(BlockIndex index, NodeSet& set, const NodeSet* only) {
 
 std::vector<NodeRow> Resolver::by_user_id(const NodeSet& set) const {
     std::vector<NodeRow> rows = set.rows();
-    const auto before = [&](NodeRow a, NodeRow b) { return tables_.nodes.id[drawbead::index(a)] < tables_.nodes.id[drawbead::index(b)]; };
+    const auto before = [&](NodeRow a, NodeRow b) {
+        return tables_.nodes.id[drawbead::index(a)] < tables_.nodes.id[drawbead::index(b)];
+    };
     if (!std::is_sorted(rows.begin(), rows.end(), before)) std::sort(rows.begin(), rows.end(), before);
     return rows;
 }

@@ -11,9 +11,12 @@ namespace {
 /// Runs of both senses, ascending.
 std::vector<SegmentRun> signed_runs(const RowSet& plus, const RowSet& minus) {
     std::vector<SegmentRun> runs;
-    for (const RowRun& run : plus.runs()) runs.push_back({run.begin, run.end, 1});
-    for (const RowRun& run : minus.runs()) runs.push_back({run.begin, run.end, -1});
-    std::sort(runs.begin(), runs.end(), [](const SegmentRun& a, const SegmentRun& b) { return a.begin < b.begin; });
+    for (const RowRun& run : plus.runs())
+        runs.push_back({run.begin, run.end, 1});
+    for (const RowRun& run : minus.runs())
+        runs.push_back({run.begin, run.end, -1});
+    std::sort(runs.begin(), runs.end(),
+              [](const SegmentRun& a, const SegmentRun& b) { return a.begin < b.begin; });
     return runs;
 }
 
@@ -23,9 +26,12 @@ void reverse(ListedSegment& segment) {
 
 /// As a reference with a minus sign does: 4 3 2 1, whatever the segment is made of.
 void reverse(SurfaceContent& content) {
-    for (ListedSegment& segment : content.listed) reverse(segment);
-    for (SegmentRun& run : content.shells4) run.sense = static_cast<int8_t>(-run.sense);
-    for (SegmentRun& run : content.shells3) run.sense = static_cast<int8_t>(-run.sense);
+    for (ListedSegment& segment : content.listed)
+        reverse(segment);
+    for (SegmentRun& run : content.shells4)
+        run.sense = static_cast<int8_t>(-run.sense);
+    for (SegmentRun& run : content.shells3)
+        run.sense = static_cast<int8_t>(-run.sense);
     for (Segment& face : content.faces) {
         std::reverse(face.n.begin(), face.n.end());
         face.sense = static_cast<int8_t>(-face.sense);
@@ -47,13 +53,14 @@ Corners sorted(Corners corners) {
     return corners;
 }
 
-/// Faces of a solid by its corners, outward for a solid of positive volume. Mid-side nodes of a 10-node tetrahedron
-/// split each face in four.
+/// Faces of a solid by its corners, outward for a solid of positive volume. Mid-side nodes of a 10-node
+/// tetrahedron split each face in four.
 void solid_faces(SolidKind kind, const std::array<NodeRow, 8>& n, const std::array<NodeRow, 6>* mid,
                  std::vector<Corners>& faces) {
     static constexpr int hexahedron[6][4] = {{3, 2, 1, 0}, {4, 5, 6, 7}, {0, 1, 5, 4},
                                              {2, 3, 7, 6}, {1, 2, 6, 5}, {0, 4, 7, 3}};
-    static constexpr int pentahedron[5][4] = {{0, 2, 1, 1}, {3, 4, 5, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}};
+    static constexpr int pentahedron[5][4] = {
+        {0, 2, 1, 1}, {3, 4, 5, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}};
     static constexpr int tetrahedron[4][3] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
     // Mid-side node between two corners of a tetrahedron.
     static constexpr int between[4][4] = {{-1, 0, 2, 3}, {0, -1, 1, 4}, {2, 1, -1, 5}, {3, 4, 5, -1}};
@@ -78,10 +85,12 @@ void solid_faces(SolidKind kind, const std::array<NodeRow, 8>& n, const std::arr
         }
         return;
     case SolidKind::penta6:
-        for (const auto& f : pentahedron) faces.push_back({corner(f[0]), corner(f[1]), corner(f[2]), corner(f[3])});
+        for (const auto& f : pentahedron)
+            faces.push_back({corner(f[0]), corner(f[1]), corner(f[2]), corner(f[3])});
         return;
     default:
-        for (const auto& f : hexahedron) faces.push_back({corner(f[0]), corner(f[1]), corner(f[2]), corner(f[3])});
+        for (const auto& f : hexahedron)
+            faces.push_back({corner(f[0]), corner(f[1]), corner(f[2]), corner(f[3])});
     }
 }
 
@@ -129,19 +138,23 @@ void Resolver::add_faces(const RowSet& solids, Faces which, const ElementRows& c
     std::vector<Corners> coated;
     const auto take = [&](const auto& table, const RowSet& rows) {
         for (const RowRun& run : rows.runs())
-            for (uint32_t row = run.begin; row < run.end; ++row) coated.push_back(sorted(table[row]));
+            for (uint32_t row = run.begin; row < run.end; ++row)
+                coated.push_back(sorted(table[row]));
     };
     take(tables_.shells4.nodes, coating.shells4);
     take(tables_.shells3.nodes, coating.shells3);
     std::sort(coated.begin(), coated.end());
-    std::sort(faces.begin(), faces.end(),
-              [](const Face& a, const Face& b) { return a.key != b.key ? a.key < b.key : a.order < b.order; });
+    std::sort(faces.begin(), faces.end(), [](const Face& a, const Face& b) {
+        return a.key != b.key ? a.key < b.key : a.order < b.order;
+    });
     std::vector<Face> kept;
     for (std::size_t i = 0; i < faces.size();) {
         std::size_t end = i + 1;
-        while (end < faces.size() && faces[end].key == faces[i].key) ++end;
+        while (end < faces.size() && faces[end].key == faces[i].key)
+            ++end;
         const bool inner = end - i > 1;
-        if (!(inner && which == Faces::external) && !std::binary_search(coated.begin(), coated.end(), faces[i].key))
+        if (!(inner && which == Faces::external) &&
+            !std::binary_search(coated.begin(), coated.end(), faces[i].key))
             kept.insert(kept.end(), faces.begin() + static_cast<std::ptrdiff_t>(i),
                         faces.begin() + static_cast<std::ptrdiff_t>(end));
         i = end;
@@ -151,7 +164,8 @@ void Resolver::add_faces(const RowSet& solids, Faces which, const ElementRows& c
         return ia != ib ? ia < ib : a.order < b.order;
     });
     std::vector<Corners> shared; // keys that occur twice among the kept ones
-    for (const Face& face : kept) shared.push_back(face.key);
+    for (const Face& face : kept)
+        shared.push_back(face.key);
     std::sort(shared.begin(), shared.end());
     for (const Face& face : kept) {
         Segment segment;
@@ -217,7 +231,8 @@ SurfaceContent Resolver::surface(BlockIndex index) {
         const ElementRows all = unite(rows.plus, rows.minus);
         for (const RowRun& run : all.solids.runs())
             for (uint32_t row = run.begin; row < run.end; ++row)
-                if (tables_.solids.kind[row] == SolidKind::bric20 || tables_.solids.kind[row] == SolidKind::shel16)
+                if (tables_.solids.kind[row] == SolidKind::bric20 ||
+                    tables_.solids.kind[row] == SolidKind::shel16)
                     return refuse();
     }
     return shells_and_faces(rows, faces);
@@ -245,8 +260,8 @@ SurfaceContent Resolver::surface_of_surfaces(BlockIndex, const Membership& membe
     return content;
 }
 
-/// Union of surfaces without those of negative ids, without duplicates, sorted by nodes; each segment starts at its
-/// lowest node and keeps its sense.
+/// Union of surfaces without those of negative ids, without duplicates, sorted by nodes; each segment starts
+/// at its lowest node and keeps its sense.
 SurfaceContent Resolver::difference(BlockIndex, const Membership& membership) {
     struct Entry {
         std::array<uint32_t, 4> key;
@@ -271,13 +286,15 @@ SurfaceContent Resolver::difference(BlockIndex, const Membership& membership) {
                 const std::size_t corners = segment.n[2] == segment.n[3] ? 3 : 4;
                 const auto before = [&](NodeRow a, NodeRow b) { return id(a) < id(b); };
                 const auto lowest = std::min_element(segment.n.begin(), segment.n.begin() + corners, before);
-                std::rotate(segment.n.begin(), lowest, segment.n.begin() + static_cast<std::ptrdiff_t>(corners));
+                std::rotate(segment.n.begin(), lowest,
+                            segment.n.begin() + static_cast<std::ptrdiff_t>(corners));
                 if (corners == 3) segment.n[3] = segment.n[2];
                 entries.push_back(
                     {{id(segment.n[0]), id(segment.n[1]), id(segment.n[2]), id(segment.n[3])}, segment});
             }
         }
-        std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.key < b.key; });
+        std::stable_sort(entries.begin(), entries.end(),
+                         [](const Entry& a, const Entry& b) { return a.key < b.key; });
         return entries;
     };
     const std::vector<Entry> plus = entries_of(false), minus = entries_of(true);
@@ -326,7 +343,8 @@ Resolver::SetContent Resolver::set_content(BlockIndex block, bool with_nodes) {
         }
         one.segments.insert(one.segments.end(), clause.segments.begin(), clause.segments.end());
         if (!supported) {
-            report(ReadIssue::Kind::not_supported, clause.place, "SET clause " + std::string(deck_.text(clause.place)));
+            report(ReadIssue::Kind::not_supported, clause.place,
+                   "SET clause " + std::string(deck_.text(clause.place)));
             content.evaluated = false;
             continue;
         }
@@ -345,7 +363,8 @@ Resolver::SetContent Resolver::set_content(BlockIndex block, bool with_nodes) {
         }
         if (clause.reversed) {
             std::swap(one.plus, one.reversed);
-            for (ListedSegment& segment : one.segments) reverse(segment);
+            for (ListedSegment& segment : one.segments)
+                reverse(segment);
         }
         if (clause.all_faces) one.all_faces = unite(one.plus.solids, one.reversed.solids);
         if (clause.remove) {
@@ -387,16 +406,16 @@ SurfaceContent Resolver::surface_of_set(BlockIndex block) {
 }
 
 std::vector<SurfaceSource> Resolver::sources(BlockIndex index) {
-    using Kind = SurfaceSource::Kind;
+    using Source = SurfaceSource::Kind;
     const Block& block = deck_.blocks()[index];
     std::vector<SurfaceSource> sources;
     if (is_option(block.keyword, "SET")) {
         for (const SetClause& clause : read_set(deck_, index_, index, issues_))
-            sources.push_back({Kind::set_clause, 0, clause.place});
+            sources.push_back({Source::set_clause, 0, clause.place});
         return sources;
     }
     if (block.keyword == "SURF/SEG") {
-        sources.push_back({Kind::segment_lines, 0, list_text(deck_, block)});
+        sources.push_back({Source::segment_lines, 0, list_text(deck_, block)});
         return sources;
     }
     const std::string_view type = subtype(block.keyword);
@@ -405,31 +424,31 @@ std::vector<SurfaceSource> Resolver::sources(BlockIndex index) {
         SurfaceSource source;
         switch (member.kind) {
         case MemberKind::part:
-            source.kind = Kind::part;
+            source.kind = Source::part;
             break;
         case MemberKind::subset:
-            source.kind = Kind::subset;
+            source.kind = Source::subset;
             break;
         case MemberKind::material:
-            source.kind = Kind::material;
+            source.kind = Source::material;
             break;
         case MemberKind::property:
-            source.kind = Kind::property;
+            source.kind = Source::property;
             break;
         case MemberKind::shell_group:
-            source.kind = Kind::shell_group;
+            source.kind = Source::shell_group;
             break;
         case MemberKind::sh3n_group:
-            source.kind = Kind::sh3n_group;
+            source.kind = Source::sh3n_group;
             break;
         case MemberKind::brick_group:
-            source.kind = Kind::brick_group;
+            source.kind = Source::brick_group;
             break;
         case MemberKind::surface:
-            source.kind = Kind::surface;
+            source.kind = Source::surface;
             break;
         default:
-            source.kind = Kind::other;
+            source.kind = Source::other;
         }
         source.id = member.minus ? -member.first : member.first;
         source.place = member.place;

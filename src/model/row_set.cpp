@@ -34,13 +34,14 @@ RowSet RowSet::of_rows(std::vector<uint32_t> rows) {
 
 uint64_t RowSet::count() const {
     uint64_t sum = 0;
-    for (const RowRun& run : runs_) sum += run.end - run.begin;
+    for (const RowRun& run : runs_)
+        sum += run.end - run.begin;
     return sum;
 }
 
 bool RowSet::contains(uint32_t row) const {
-    const auto after =
-        std::upper_bound(runs_.begin(), runs_.end(), row, [](uint32_t r, const RowRun& run) { return r < run.begin; });
+    const auto after = std::upper_bound(runs_.begin(), runs_.end(), row,
+                                        [](uint32_t r, const RowRun& run) { return r < run.begin; });
     return after != runs_.begin() && row < std::prev(after)->end;
 }
 
@@ -54,7 +55,8 @@ RowSet subtract(const RowSet& a, const RowSet& b) {
     RowSet set;
     std::size_t j = 0;
     for (RowRun run : a.runs_) {
-        while (j < b.runs_.size() && b.runs_[j].end <= run.begin) ++j;
+        while (j < b.runs_.size() && b.runs_[j].end <= run.begin)
+            ++j;
         for (std::size_t k = j; k < b.runs_.size() && b.runs_[k].begin < run.end; ++k) {
             if (b.runs_[k].begin > run.begin) set.runs_.push_back({run.begin, b.runs_[k].begin});
             run.begin = std::min(run.end, b.runs_[k].end);
@@ -68,7 +70,8 @@ RowSet intersect(const RowSet& a, const RowSet& b) {
     RowSet set;
     std::size_t i = 0, j = 0;
     while (i < a.runs_.size() && j < b.runs_.size()) {
-        const RowRun run{std::max(a.runs_[i].begin, b.runs_[j].begin), std::min(a.runs_[i].end, b.runs_[j].end)};
+        const RowRun run{std::max(a.runs_[i].begin, b.runs_[j].begin),
+                         std::min(a.runs_[i].end, b.runs_[j].end)};
         if (run.begin < run.end) set.runs_.push_back(run);
         if (a.runs_[i].end < b.runs_[j].end)
             ++i;

@@ -69,7 +69,8 @@ Written write_listed(const NodeTable& nodes, std::span<const ListedSegment> list
         bool complete = true;
         for (std::size_t i = 0; i < 4; ++i) {
             const int64_t id = line.node[i];
-            const auto row = id > 0 && id < 0xffffffff ? nodes.row(NodeId{static_cast<uint32_t>(id)}) : std::nullopt;
+            const auto row =
+                id > 0 && id < 0xffffffff ? nodes.row(NodeId{static_cast<uint32_t>(id)}) : std::nullopt;
             if (row) {
                 segment.n[i] = *row;
                 continue;
@@ -102,7 +103,8 @@ void turn_outward(const Tables& tables, uint32_t solid, Segment& segment) {
             centre += tables.nodes[node];
             corners += 1;
         }
-    for (const NodeRow node : segment.n) middle += tables.nodes[node];
+    for (const NodeRow node : segment.n)
+        middle += tables.nodes[node];
     const Vec3 out = 0.25 * middle - centre / corners;
     if (dot(face_normal(tables.nodes, segment.n), out) >= 0) return;
     if (segment.n[2] == segment.n[3])
@@ -123,7 +125,8 @@ void write_segments(const SurfaceContent& content, const Tables& tables, unsigne
         written[p] = write_listed(tables.nodes, std::span(content.listed).subspan(begin, count));
     });
     uint64_t listed = 0;
-    for (const Written& piece : written) listed += piece.segments.size();
+    for (const Written& piece : written)
+        listed += piece.segments.size();
 
     uint64_t total = listed;
     std::vector<Piece> pieces;
@@ -176,13 +179,15 @@ void find_elements_behind(const Tables& tables, unsigned threads,
 
     // Segments by their first node: an element that has the node may lie behind them.
     std::vector<uint32_t> begin(tables.nodes.size() + std::size_t{1}), by_node(count);
-    for (uint32_t i = 0; i < count; ++i) ++begin[index(segments[i].n[0])];
+    for (uint32_t i = 0; i < count; ++i)
+        ++begin[index(segments[i].n[0])];
     uint32_t sum = 0;
     for (uint32_t& entry : begin) {
         sum += entry;
         entry = sum;
     }
-    for (uint32_t i = count; i-- > 0;) by_node[--begin[index(segments[i].n[0])]] = i;
+    for (uint32_t i = count; i-- > 0;)
+        by_node[--begin[index(segments[i].n[0])]] = i;
 
     struct Hit {
         uint32_t segment, row;
@@ -194,7 +199,8 @@ void find_elements_behind(const Tables& tables, unsigned threads,
             for (uint32_t row = first; row < std::min(rows, first + rows_per_piece); ++row) {
                 const auto& nodes = table[row];
                 for (std::size_t c = 0; c < nodes.size(); ++c) {
-                    if (nodes[c] == no_node || std::find(nodes.begin(), nodes.begin() + c, nodes[c]) != nodes.begin() + c)
+                    if (nodes[c] == no_node ||
+                        std::find(nodes.begin(), nodes.begin() + c, nodes[c]) != nodes.begin() + c)
                         continue;
                     const std::size_t node = index(nodes[c]);
                     for (uint32_t k = begin[node]; k < begin[node + 1]; ++k) {
@@ -259,7 +265,8 @@ void find_elements_behind(const Tables& tables, unsigned threads,
 void turn_faces_outward(const Tables& tables, Surface& surface) {
     for (std::size_t i = surface.lines.size(); i < surface.segments.size(); ++i) {
         Segment& segment = surface.segments[i];
-        if (segment.kind == ElementKind::solid && segment.solid_backed) turn_outward(tables, segment.element, segment);
+        if (segment.kind == ElementKind::solid && segment.solid_backed)
+            turn_outward(tables, segment.element, segment);
     }
 }
 

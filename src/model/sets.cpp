@@ -15,11 +15,13 @@ struct Key {
     bool supported;
 };
 constexpr Key keys[] = {
-    {"PART", MemberKind::part, true},    {"SUBS", MemberKind::subset, true}, {"SUBM", MemberKind::submodel, true},
-    {"SHELL", MemberKind::shell, true},  {"SH3N", MemberKind::sh3n, true},   {"SOLID", MemberKind::solid, true},
-    {"NODE", MemberKind::node, true},    {"SET", MemberKind::set, true},     {"SETCOL", MemberKind::set, true},
-    {"ALL", MemberKind::everything, true}, {"NODENS", std::nullopt, true},   {"SEG", std::nullopt, true},
-    {"BOX", MemberKind::box, true},      {"BOX2", MemberKind::box_touching, true},
+    {"PART", MemberKind::part, true},     {"SUBS", MemberKind::subset, true},
+    {"SUBM", MemberKind::submodel, true}, {"SHELL", MemberKind::shell, true},
+    {"SH3N", MemberKind::sh3n, true},     {"SOLID", MemberKind::solid, true},
+    {"NODE", MemberKind::node, true},     {"SET", MemberKind::set, true},
+    {"SETCOL", MemberKind::set, true},    {"ALL", MemberKind::everything, true},
+    {"NODENS", std::nullopt, true},       {"SEG", std::nullopt, true},
+    {"BOX", MemberKind::box, true},       {"BOX2", MemberKind::box_touching, true},
 };
 
 /// Splits "PART_GD" into its name and suffix letters.
@@ -72,7 +74,8 @@ void finish(SetClause& clause, bool ranges, const std::vector<WrittenId>& ids, c
         return;
     }
     if (clause.key == "SEG") return;
-    const Key* key = std::find_if(std::begin(keys), std::end(keys), [&](const Key& k) { return k.name == clause.key; });
+    const Key* key =
+        std::find_if(std::begin(keys), std::end(keys), [&](const Key& k) { return k.name == clause.key; });
     if (key == std::end(keys)) {
         clause.supported = false;
         return;
@@ -130,7 +133,8 @@ void read_block(const Deck& deck, BlockIndex index, IssueLog& issues, std::vecto
 
 } // namespace
 
-std::vector<SetClause> read_set(const Deck& deck, const OptionIndex& index, BlockIndex block, IssueLog& issues) {
+std::vector<SetClause> read_set(const Deck& deck, const OptionIndex& index, BlockIndex block,
+                                IssueLog& issues) {
     std::vector<SetClause> clauses;
     if (subtype(deck.blocks()[block].keyword) != "COLLECT") {
         read_block(deck, block, issues, clauses);
@@ -145,7 +149,8 @@ std::vector<SetClause> read_set(const Deck& deck, const OptionIndex& index, Bloc
     return clauses;
 }
 
-bool read_segment(const Deck& deck, ScopeId scope, const Span& line, IssueLog& issues, ListedSegment& segment) {
+bool read_segment(const Deck& deck, ScopeId scope, const Span& line, IssueLog& issues,
+                  ListedSegment& segment) {
     const Card card = read_card(deck, scope, line, segment_card);
     static constexpr std::string_view names[] = {"node_ID1", "node_ID2", "node_ID3", "node_ID4"};
     const int64_t offset = deck.scope(scope).offsets.node;

@@ -22,7 +22,7 @@ struct SetClause {
     Span place;      ///< of the key
     bool supported = true;
     bool remove = false, intersect = false, reversed = false, all_faces = false;
-    std::vector<Member> members; ///< empty for SEG and NODENS
+    std::vector<Member> members;  ///< empty for SEG and NODENS
     std::vector<WrittenId> nodes; ///< of a NODENS clause, as written
     ScopeId scope{};
     std::vector<ListedSegment> segments;

@@ -52,7 +52,8 @@ std::vector<Transform> read_transforms(const Deck& deck, IssueLog& issues) {
             if (type == "TRA" && reader.scope().layout >= 2026) {
                 const Card skew = reader.card(transform_first_card);
                 if (skew["grnd_ID"].integer != 0) {
-                    issues.add(ReadIssue::Kind::not_supported, blocks[i].header, "TRANSFORM/TRA", "with a skew");
+                    issues.add(ReadIssue::Kind::not_supported, blocks[i].header, "TRANSFORM/TRA",
+                               "with a skew");
                     continue;
                 }
             }
@@ -150,7 +151,8 @@ void apply_transforms(std::vector<Transform> transforms, const Deck& deck, const
         if (group)
             resolver.nodes(*group, moved[i]);
         else
-            resolver.report(ReadIssue::Kind::member_missing, block.header, std::to_string(transforms[i].group));
+            resolver.report(ReadIssue::Kind::member_missing, block.header,
+                            std::to_string(transforms[i].group));
     }
     constexpr uint32_t piece = 1u << 16;
     for (std::size_t i = 0; i < transforms.size(); ++i) {

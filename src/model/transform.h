@@ -28,8 +28,8 @@ std::vector<Transform> read_transforms(const Deck&, IssueLog&);
 /// Completes matrix and shift from the positions that the transformation's nodes have now.
 void complete(Transform&, const NodeTable&);
 
-/// Moves coordinates by all transformations in order. Their node groups are expanded first, as the solver builds
-/// groups before it moves nodes.
+/// Moves coordinates by all transformations in order. Their node groups are expanded first, as the solver
+/// builds groups before it moves nodes.
 void apply_transforms(std::vector<Transform>, const Deck&, const OptionIndex&, const PartPicker&, Resolver&,
                       unsigned threads, NodeTable&);
 

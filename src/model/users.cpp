@@ -33,7 +33,8 @@ Named names_of(const Deck& deck, BlockIndex index) {
         known = true;
         std::set<int64_t>& ids = reference.link == Link::surface ? named.surfaces : named.groups;
         if (reference.card == 0) {
-            for (const WrittenId& id : read_ids(deck, block, unreported)) ids.insert(global(id.id));
+            for (const WrittenId& id : read_ids(deck, block, unreported))
+                ids.insert(global(id.id));
             continue;
         }
         OptionReader reader(deck, index, unreported);
@@ -46,7 +47,8 @@ Named names_of(const Deck& deck, BlockIndex index) {
     for (const std::string_view keyword : without_references)
         if (is_option(block.keyword, keyword)) return named;
     named.both = true;
-    for (const WrittenId& id : read_ids(deck, block, unreported)) named.groups.insert(global(id.id));
+    for (const WrittenId& id : read_ids(deck, block, unreported))
+        named.groups.insert(global(id.id));
     return named;
 }
 
