@@ -23,7 +23,7 @@ struct RuleInfo {
     Severity severity = Severity::warning;
     FixAvailability fix = FixAvailability::none;
     int starter_message = 0; ///< the Starter message that it foresees, 0 when none
-    std::string_view page;
+    std::string_view page{};
 
     std::string_view family() const { return code.substr(0, 3); }
 };

@@ -1,0 +1,233 @@
+#include "rules/check.h"
+
+#include "base/parallel.h"
+#include "rules/analysis.h"
+#include "rules/text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <unordered_map>
+
+namespace drawbead {
+
+namespace {
+
+/// How closely an entry of a selection names a rule: 0 not at all, 1 "ALL", 2 its family, 3 its code or name.
+int closeness(std::string_view entry, const RuleInfo& info) {
+    if (entry == info.code || entry == info.name) return 3;
+    if (entry == info.family()) return 2;
+    return entry == "ALL" ? 1 : 0;
+}
+
+int closest(const std::vector<std::string>& entries, const RuleInfo& info) {
+    int best = 0;
+    for (const std::string& entry : entries)
+        best = std::max(best, closeness(entry, info));
+    return best;
+}
+
+/// A finding with what it is sorted by: the order in which files are read, then where it stands.
+struct Sorted {
+    uint32_t file;
+    uint64_t line;
+    uint32_t column;
+    Finding finding;
+
+    auto key() const { return std::tie(file, line, column, finding.code, finding.message); }
+};
+
+ResolvedPlace resolve(const Deck& deck, const Span& span) {
+    constexpr std::size_t longest_snippet = 160;
+    const SourceFile& file = deck.file(span.file);
+    ResolvedPlace place;
+    place.file = file.path();
+    const uint64_t begin = std::min<uint64_t>(span.begin, file.bytes().size());
+    const SourceFile::Position at = file.at(begin);
+    const std::string_view line = file.line_at(begin);
+    place.line = at.line;
+    place.column = at.column;
+    // The end stays on the first line; an empty place is shown as one column wide.
+    const uint64_t past_line = uint64_t{line.size()} + 1;
+    const uint64_t end = std::min<uint64_t>(at.column + (span.end > begin ? span.end - begin : 0), past_line);
+    place.end_column = std::max(static_cast<uint32_t>(end), at.column + 1);
+    place.snippet = printable(line.substr(0, longest_snippet));
+    return place;
+}
+
+/// Collects what one rule says.
+class Collector final : public FindingSink {
+public:
+    Collector(const Deck& deck, const RuleInfo& info) : deck_(deck), info_(info) {}
+
+    void add(Draft draft) override {
+        constexpr std::size_t most_places = 100;
+        Finding f;
+        f.code = info_.code;
+        f.name = info_.name;
+        f.severity = draft.severity.value_or(info_.severity);
+        f.message = std::move(draft.message);
+        f.interface_id = draft.interface_id;
+        f.places.push_back(resolve(deck_, draft.primary));
+        for (const Span& span : draft.related) {
+            if (f.places.size() == most_places) break;
+            f.places.push_back(resolve(deck_, span));
+        }
+        f.place_count = std::max<uint64_t>(draft.place_count, 1 + draft.related.size());
+        f.entities = std::move(draft.entities);
+        f.measured = std::move(draft.measured);
+        f.notes = std::move(draft.notes);
+        f.help = std::move(draft.help);
+        f.fixes = std::move(draft.fixes);
+        f.fingerprint = fingerprint(f.code, f.interface_id, f.entities, draft.discriminator);
+        const ResolvedPlace& first = f.places.front();
+        found_.push_back({index(draft.primary.file), first.line, first.column, std::move(f)});
+    }
+
+    std::vector<Sorted> take() { return std::move(found_); }
+
+private:
+    const Deck& deck_;
+    const RuleInfo& info_;
+    std::vector<Sorted> found_;
+};
+
+double polyline_length(const Model& model, const NodeGroup& group) {
+    double length = 0;
+    for (std::size_t i = 1; i < group.nodes.size(); ++i) {
+        const Vec3 a = model.nodes()[group.nodes[i - 1]], b = model.nodes()[group.nodes[i]];
+        length +=
+            std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y) + (b.z - a.z) * (b.z - a.z));
+    }
+    return length;
+}
+
+DeckInfo describe(const Deck& deck, const Model& model) {
+    DeckInfo info;
+    info.version = deck.root().version;
+    info.run_name = deck.run_name();
+    info.mass_unit = deck.work_units().mass_name;
+    info.length_unit = deck.work_units().length_name;
+    info.time_unit = deck.work_units().time_name;
+    info.input_mass_unit = deck.root().input.mass_name;
+    info.input_length_unit = deck.root().input.length_name;
+    info.input_time_unit = deck.root().input.time_name;
+    for (const auto& file : deck.files()) {
+        info.files.push_back(file->path());
+        info.bytes += file->bytes().size();
+    }
+    const Counts& counts = model.counts();
+    info.nodes = counts.nodes;
+    info.shells4 = counts.shells4;
+    info.shells3 = counts.shells3;
+    info.solids = counts.solids;
+    info.parts = counts.parts;
+
+    std::unordered_map<std::string_view, uint64_t> keywords;
+    for (const Block& block : deck.blocks())
+        ++keywords[block.keyword];
+    for (const auto& [keyword, count] : keywords)
+        info.keywords["/" + printable(keyword)] += count;
+
+    const bool positions = model.nodes().x.size() == model.nodes().size();
+    for (const Drawbead& bead : model.drawbeads()) {
+        InterfaceSummary summary;
+        summary.id = bead.id;
+        summary.title = printable(bead.title);
+        if (bead.group) {
+            const NodeGroup& group = model.groups()[*bead.group];
+            summary.nodes = group.nodes.size();
+            if (positions) summary.length = polyline_length(model, group);
+        }
+        if (bead.surface) summary.segments = model.surfaces()[*bead.surface].segments.size();
+        info.interfaces.push_back(std::move(summary));
+    }
+    return info;
+}
+
+DeckResult failed(const std::string& path, const Error& error) {
+    DeckResult result;
+    result.path = path;
+    result.failure = error.message.empty() ? "cannot be read" : error.message;
+    result.failure_place = {error.path.empty() ? path : error.path, error.line, error.column, error.column,
+                            ""};
+    result.failure_help = error.help;
+    return result;
+}
+
+} // namespace
+
+bool Selection::operator()(const RuleInfo& info) const {
+    const int wanted = select.empty() ? 1 : closest(select, info);
+    return wanted > 0 && closest(ignore, info) < wanted;
+}
+
+std::optional<std::string> Selection::unknown() const {
+    for (const auto* entries : {&select, &ignore})
+        for (const std::string& entry : *entries) {
+            const auto rules = registry();
+            const bool known = std::any_of(rules.begin(), rules.end(),
+                                           [&](const Rule& r) { return closeness(entry, r.info) > 0; });
+            if (!known) return entry;
+        }
+    return std::nullopt;
+}
+
+DeckResult check_deck(const std::string& path, FileReader& reader, const ReadOptions& read_options,
+                      const CheckOptions& options) {
+    const Result<Deck> read = Deck::read(path, reader, read_options);
+    if (!read) return failed(path, read.error());
+    const Deck& deck = *read;
+
+    std::vector<const Rule*> rules;
+    Needs needs = Needs::counts;
+    for (const Rule& rule : registry())
+        if (options.selection(rule.info)) {
+            rules.push_back(&rule);
+            needs = needs | rule.needs;
+        }
+    const Model model = Model::build(deck, needs, options.threads);
+    const Analysis analysis = analyse(deck, model, needs, options.threads);
+    const RuleContext context{deck, model, analysis};
+
+    std::vector<std::vector<Sorted>> by_rule(rules.size());
+    parallel_for(options.threads, rules.size(), [&](std::size_t i) {
+        Collector sink(deck, rules[i]->info);
+        rules[i]->check(context, sink);
+        by_rule[i] = sink.take();
+    });
+
+    std::vector<Sorted> all;
+    for (std::vector<Sorted>& found : by_rule)
+        std::move(found.begin(), found.end(), std::back_inserter(all));
+    std::stable_sort(all.begin(), all.end(),
+                     [](const Sorted& a, const Sorted& b) { return a.key() < b.key(); });
+    // A file that is included twice says the same thing at the same place twice.
+    all.erase(std::unique(all.begin(), all.end(),
+                          [](const Sorted& a, const Sorted& b) {
+                              return a.finding.code == b.finding.code && a.line == b.line &&
+                                     a.column == b.column && a.finding.message == b.finding.message &&
+                                     a.finding.places.front().file == b.finding.places.front().file;
+                          }),
+              all.end());
+
+    DeckResult result;
+    result.path = path;
+    result.info = describe(deck, model);
+    for (Sorted& one : all)
+        result.findings.push_back(std::move(one.finding));
+    return result;
+}
+
+DeckResult describe_deck(const std::string& path, FileReader& reader, const ReadOptions& options) {
+    const Result<Deck> read = Deck::read(path, reader, options);
+    if (!read) return failed(path, read.error());
+    DeckResult result;
+    result.path = path;
+    result.info =
+        describe(*read, Model::build(*read, Needs::counts | Needs::coordinates | Needs::blank_elements,
+                                     options.threads));
+    return result;
+}
+
+} // namespace drawbead
