@@ -7,7 +7,40 @@
 namespace drawbead {
 
 // The one table of rules: one line per rule, sorted by code (a test sees to it).
-#define DRAWBEAD_RULES(RULE) RULE(SYN001)
+#define DRAWBEAD_RULES(RULE)                                                                                 \
+    RULE(PAR001)                                                                                             \
+    RULE(PAR002)                                                                                             \
+    RULE(PAR003)                                                                                             \
+    RULE(PAR004)                                                                                             \
+    RULE(PAR005)                                                                                             \
+    RULE(PAR006)                                                                                             \
+    RULE(PAR009)                                                                                             \
+    RULE(REF001)                                                                                             \
+    RULE(REF002)                                                                                             \
+    RULE(REF003)                                                                                             \
+    RULE(REF004)                                                                                             \
+    RULE(REF005)                                                                                             \
+    RULE(REF006)                                                                                             \
+    RULE(REF007)                                                                                             \
+    RULE(REF008)                                                                                             \
+    RULE(REF009)                                                                                             \
+    RULE(SYN001)                                                                                             \
+    RULE(SYN002)                                                                                             \
+    RULE(SYN003)                                                                                             \
+    RULE(SYN004)                                                                                             \
+    RULE(SYN005)                                                                                             \
+    RULE(SYN006)                                                                                             \
+    RULE(SYN007)                                                                                             \
+    RULE(SYN008)                                                                                             \
+    RULE(SYN009)                                                                                             \
+    RULE(SYN010)                                                                                             \
+    RULE(SYN011)                                                                                             \
+    RULE(SYN012)                                                                                             \
+    RULE(SYN013)                                                                                             \
+    RULE(SYN014)                                                                                             \
+    RULE(SYN015)                                                                                             \
+    RULE(SYN016)                                                                                             \
+    RULE(SYN017)
 
 #define DRAWBEAD_DECLARE(code) extern const Rule code;
 DRAWBEAD_RULES(DRAWBEAD_DECLARE)

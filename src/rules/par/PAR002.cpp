@@ -1,0 +1,43 @@
+#include "rules/support.h"
+#include "rules/text.h"
+
+#include <cmath>
+
+namespace drawbead {
+
+namespace {
+
+void report(const RuleContext& context, const Drawbead& bead, const Cell& cell, const char* name,
+            double value, FindingSink& sink) {
+    if (!cell.given() || !(value < 0)) return;
+    Draft draft = draft_at(context, bead, cell);
+    draft.discriminator = name;
+    const UnitSystem& units = context.deck.work_units();
+    draft.message = std::string(name) + " of " + bead_name(bead) + " is " +
+                    quantity(value, units, force_per_length_dimension) +
+                    ": it pulls the blank towards the bead instead of pressing it away";
+    if (const std::string force = force_over_line(context, bead, std::abs(value)); !force.empty())
+        draft.notes.push_back("the pull is up to " + force);
+    measure_force(context, bead, "normal force", value, draft);
+    draft.help = "give the normal force per length as a positive number";
+    sink.add(std::move(draft));
+}
+
+void check(const RuleContext& context, FindingSink& sink) {
+    for (const Drawbead& bead : context.model.drawbeads()) {
+        if (!cards_usable(context, bead)) continue;
+        report(context, bead, cells_of(bead).fn, "Fn", bead.fn_first, sink);
+        report(context, bead, cells_of(bead).fn_last, "Fn_last", bead.fn_last, sink);
+    }
+}
+
+} // namespace
+
+extern const Rule PAR002{{.code = "PAR002",
+                          .name = "negative-normal-force",
+                          .summary = "Fn is negative at an end of the bead",
+                          .severity = Severity::error},
+                         Needs::coordinates,
+                         check};
+
+} // namespace drawbead

@@ -1,0 +1,240 @@
+#include "rules/support.h"
+
+#include "rules/text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace drawbead {
+
+namespace {
+
+constexpr int first_layout_with_last = 2022;
+constexpr int first_layout_with_titles = 51;
+
+std::vector<std::string_view> tokens_of(std::string_view line) {
+    std::vector<std::string_view> tokens;
+    constexpr std::string_view separators = " \t,\r";
+    for (std::size_t at = 0; (at = line.find_first_not_of(separators, at)) != std::string_view::npos;) {
+        const std::size_t end = std::min(line.find_first_of(separators, at), line.size());
+        tokens.push_back(line.substr(at, end - at));
+        at = end;
+    }
+    return tokens;
+}
+
+bool is_reference(std::string_view token) {
+    return token[0] == '&' || token.substr(0, 2) == "-&";
+}
+
+bool is_integer(std::string_view token) {
+    if (is_reference(token)) return true;
+    if (token[0] == '-' || token[0] == '+') token.remove_prefix(1);
+    return !token.empty() &&
+           std::all_of(token.begin(), token.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+bool is_number(std::string_view token) {
+    return is_reference(token) || parse_real(token).state == NumberState::ok;
+}
+
+/// Two to four whole numbers: group, surface, Iform.
+bool looks_like_card_1(std::string_view line) {
+    const auto tokens = tokens_of(line);
+    return tokens.size() >= 2 && tokens.size() <= 4 && std::all_of(tokens.begin(), tokens.end(), is_integer);
+}
+
+/// Numbers, of which one has a point or an exponent, or more of them than the first card holds.
+bool looks_like_forces(std::string_view line) {
+    const auto tokens = tokens_of(line);
+    if (tokens.empty() || !std::all_of(tokens.begin(), tokens.end(), is_number)) return false;
+    return tokens.size() > 4 || std::any_of(tokens.begin(), tokens.end(),
+                                            [](std::string_view token) { return !is_integer(token); });
+}
+
+/// Whether anything stands behind the second real of a card.
+bool has_third_field(std::string_view line) {
+    if (line.find(',') != std::string_view::npos) return std::count(line.begin(), line.end(), ',') >= 2;
+    return line.size() > 40 && !trim(line.substr(40)).empty();
+}
+
+CardLines::Missing missing_of(const std::vector<std::string_view>& line, int layout) {
+    using Missing = CardLines::Missing;
+    const auto blank = [&](std::size_t i) { return i >= line.size() || trim(line[i]).empty(); };
+    const auto filled = [&](std::size_t i) { return !blank(i); };
+    const bool any =
+        std::any_of(line.begin(), line.end(), [](std::string_view l) { return !trim(l).empty(); });
+    if (!any) return Missing::all;
+    const bool card_1_in_second = filled(1) && looks_like_card_1(line[1]);
+    const bool forces_in_second = filled(1) && looks_like_forces(line[1]);
+    if (looks_like_card_1(line[0]) && !card_1_in_second && (forces_in_second || blank(1)))
+        return Missing::title;
+    if (forces_in_second && blank(3)) return Missing::card_1;
+    if (line.size() < 2) return Missing::card_1;
+    if (layout < first_layout_with_last) {
+        if (blank(2)) return Missing::card_2;
+        return line.size() < 4 ? Missing::blank_card : Missing::nothing;
+    }
+    if (line.size() < 3 || (line.size() == 3 && blank(2))) return Missing::card_2;
+    if (line.size() == 3) return has_third_field(line[2]) ? Missing::card_3 : Missing::card_2_or_3;
+    return Missing::nothing;
+}
+
+constexpr Field tens(std::string_view name, uint8_t column) {
+    return {name, column, 10, Kind::integer};
+}
+constexpr Field twenties(std::string_view name, uint8_t column) {
+    return {name, column, 20, Kind::real};
+}
+constexpr std::array integer_columns{
+    tens("1-10", 1),   tens("11-20", 11), tens("21-30", 21), tens("31-40", 31), tens("41-50", 41),
+    tens("51-60", 51), tens("61-70", 61), tens("71-80", 71), tens("81-90", 81), tens("91-100", 91)};
+constexpr std::array real_columns{twenties("1-20", 1), twenties("21-40", 21), twenties("41-60", 41),
+                                  twenties("61-80", 61), twenties("81-100", 81)};
+constexpr CardSchema integer_card{"columns of ten", integer_columns};
+constexpr CardSchema real_card{"columns of twenty", real_columns};
+
+} // namespace
+
+CardLines card_lines(const Deck& deck, const Drawbead& bead) {
+    CardLines cards;
+    const Block& block = deck.blocks()[bead.block];
+    DataLines lines(deck, block);
+    for (Span line; lines.next(line);)
+        cards.lines.push_back(line);
+    while (cards.lines.size() > 4 && trim(deck.text(cards.lines.back())).empty())
+        cards.lines.pop_back();
+    const int layout = deck.scope(block.scope).layout;
+    if (layout < first_layout_with_titles) return cards;
+
+    std::vector<std::string_view> texts;
+    for (const Span& line : cards.lines)
+        texts.push_back(deck.text(line));
+    cards.missing = missing_of(texts, layout);
+    cards.shifted = texts.size() > 4 && !looks_like_card_1(texts[1]) && looks_like_card_1(texts[2]);
+    if (cards.shifted) cards.missing = CardLines::Missing::nothing;
+    return cards;
+}
+
+bool cards_usable(const RuleContext& context, const Drawbead& bead) {
+    return card_lines(context.deck, bead).usable();
+}
+
+Card all_columns(const Deck& deck, const Drawbead& bead, const Span& line, int card) {
+    return read_card(deck, deck.blocks()[bead.block].scope, line, card == 1 ? integer_card : real_card);
+}
+
+const Scope& scope_of(const Deck& deck, const Drawbead& bead) {
+    return deck.scope(deck.blocks()[bead.block].scope);
+}
+
+std::string bead_name(const Drawbead& bead) {
+    return "bead " + std::to_string(bead.id);
+}
+
+Draft draft_at_header(const RuleContext& context, const Drawbead& bead) {
+    Draft draft;
+    draft.interface_id = bead.id;
+    draft.primary = context.deck.blocks()[bead.block].header;
+    return draft;
+}
+
+Draft draft_at(const RuleContext& context, const Drawbead& bead, const Cell& cell) {
+    Draft draft = draft_at_header(context, bead);
+    if (cell.state != CellState::absent && cell.place.begin != 0) draft.primary = cell.place;
+    return draft;
+}
+
+DrawbeadCells cells_of(const Drawbead& bead) {
+    const auto& [one, two, three] = bead.cards;
+    return {one["grnd_IDs"], one["surf_IDm"], one["Iform"], two["Fn"],        two["Ft"],
+            two["Depth"],    two["Tstart"],   two["Tstop"], three["Fn_last"], three["Ft_last"]};
+}
+
+bool readable(const Cell& cell) {
+    return cell.state == CellState::blank || cell.state == CellState::absent || cell.given();
+}
+
+double line_length(const Model& model, const Drawbead& bead) {
+    if (!bead.group || model.nodes().x.size() < model.nodes().size()) return 0;
+    const std::vector<NodeRow>& nodes = model.groups()[*bead.group].nodes;
+    double length = 0;
+    for (std::size_t i = 1; i < nodes.size(); ++i) {
+        const Vec3 a = model.nodes()[nodes[i - 1]], b = model.nodes()[nodes[i]];
+        length +=
+            std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y) + (b.z - a.z) * (b.z - a.z));
+    }
+    return length;
+}
+
+std::string force_over_line(const RuleContext& context, const Drawbead& bead, double force_per_length) {
+    const double length = line_length(context.model, bead);
+    if (length == 0) return "";
+    const UnitSystem& units = context.deck.work_units();
+    return quantity(force_per_length * length, units, force_dimension) + " over " +
+           quantity(length, units, length_dimension);
+}
+
+void measure_force(const RuleContext& context, const Drawbead& bead, std::string name,
+                   double force_per_length, Draft& draft) {
+    const double length = line_length(context.model, bead);
+    if (length == 0) return;
+    draft.measured.push_back(
+        {std::move(name), force_per_length * length, unit_name(context.deck.work_units(), force_dimension)});
+}
+
+std::string lost_include_note(const Deck& deck) {
+    for (const Notice& notice : deck.notices())
+        switch (notice.kind) {
+        case Notice::Kind::include_missing:
+        case Notice::Kind::include_unreadable:
+        case Notice::Kind::include_cycle:
+        case Notice::Kind::include_too_deep:
+        case Notice::Kind::include_outside_root:
+            return "an include could not be read; it may be defined there";
+        default:
+            break;
+        }
+    return "";
+}
+
+BlockFinder::BlockFinder(const Deck& deck) {
+    for (const Block& block : deck.blocks())
+        blocks_.push_back(&block);
+    std::stable_sort(blocks_.begin(), blocks_.end(), [](const Block* a, const Block* b) {
+        return std::pair(a->header.file, a->header.begin) < std::pair(b->header.file, b->header.begin);
+    });
+}
+
+const Block* BlockFinder::at(const Span& place) const {
+    auto after =
+        std::upper_bound(blocks_.begin(), blocks_.end(), place, [](const Span& p, const Block* block) {
+            return std::pair(p.file, p.begin) < std::pair(block->header.file, block->header.begin);
+        });
+    if (after == blocks_.begin()) return nullptr;
+    const Block* block = *--after;
+    return block->header.file == place.file && place.begin <= block->text.end ? block : nullptr;
+}
+
+bool concerns_drawbeads(const Block& block) {
+    const std::string_view keyword = block.keyword;
+    for (const std::string_view start : {"INTER/TYPE8", "GRNOD", "SURF", "SET", "NODE"})
+        if (keyword.substr(0, start.size()) == start) return true;
+    return false;
+}
+
+std::string header_name(const Block& block) {
+    std::string name = "/" + std::string(block.keyword);
+    if (block.id_given) name += "/" + std::to_string(block.id);
+    return name;
+}
+
+void set_places(Draft& draft, const std::vector<Span>& places) {
+    if (places.empty()) return;
+    draft.primary = places.front();
+    draft.related.assign(places.begin() + 1, places.begin() + static_cast<std::ptrdiff_t>(
+                                                                  std::min<std::size_t>(places.size(), 100)));
+    draft.place_count = places.size();
+}
+
+} // namespace drawbead

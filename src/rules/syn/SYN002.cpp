@@ -1,0 +1,76 @@
+#include "rules/support.h"
+#include "rules/text.h"
+
+#include <string_view>
+
+namespace drawbead {
+
+namespace {
+
+constexpr int first_layout_with_normal = 130, first_layout_with_last = 2022;
+
+struct Dropped {
+    std::string_view name;
+    Cell cell;
+};
+
+void collect(const Card& card, std::string_view column, std::string_view name,
+             std::vector<Dropped>& dropped) {
+    const Cell& cell = card[column];
+    if (cell.given() && cell.real != 0) dropped.push_back({name, cell});
+}
+
+void check(const RuleContext& context, FindingSink& sink) {
+    for (const Drawbead& bead : context.model.drawbeads()) {
+        const CardLines cards = card_lines(context.deck, bead);
+        const Scope& scope = scope_of(context.deck, bead);
+        if (!cards.usable() || scope.layout >= first_layout_with_last) continue;
+        std::vector<Dropped> dropped;
+        if (cards.has_card(2) && scope.layout < first_layout_with_normal) {
+            const Card card = all_columns(context.deck, bead, cards.lines[2], 2);
+            collect(card, "1-20", "Fn", dropped);
+            collect(card, "41-60", "DEPTH", dropped);
+        }
+        if (cards.has_card(3)) {
+            const Card card = all_columns(context.deck, bead, cards.lines[3], 3);
+            collect(card, "1-20", "Fn_last", dropped);
+            collect(card, "21-40", "Ft_last", dropped);
+        }
+        if (dropped.empty()) continue;
+
+        Draft draft = draft_at_header(context, bead);
+        std::vector<Span> places;
+        std::string names;
+        for (const Dropped& one : dropped) {
+            places.push_back(one.cell.place);
+            if (!names.empty()) names += &one == &dropped.back() ? " and " : ", ";
+            names += std::string(one.name) + " = " + number(one.cell.real);
+        }
+        set_places(draft, places);
+        const bool normal = dropped.front().name == "Fn" || dropped.front().name == "DEPTH";
+        draft.message = "version " + std::to_string(scope.version) + " does not read " + names + " of " +
+                        bead_name(bead) + ": " +
+                        (normal ? "no normal force, and the restraint acts at any distance"
+                                : "the limits are constant along the bead");
+        draft.notes.push_back(
+            "the solver says nothing: it cuts the card by the layout of the version on /BEGIN");
+        draft.help = "raise the version on /BEGIN to " +
+                     std::to_string(dropped.back().name.find("_last") != std::string_view::npos
+                                        ? first_layout_with_last
+                                        : first_layout_with_normal) +
+                     " or later, after a look at what it changes elsewhere; or take the values out";
+        sink.add(std::move(draft));
+    }
+}
+
+} // namespace
+
+extern const Rule SYN002{
+    {.code = "SYN002",
+     .name = "value-ignored-by-version",
+     .summary = "Fn, DEPTH, Fn_last or Ft_last are given, but the version on /BEGIN has no such fields",
+     .severity = Severity::error},
+    Needs::none,
+    check};
+
+} // namespace drawbead

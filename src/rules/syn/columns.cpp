@@ -1,0 +1,133 @@
+#include "rules/syn/columns.h"
+
+#include "deck/number.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace drawbead {
+
+namespace {
+
+struct Token {
+    uint32_t begin, end;
+};
+
+std::vector<Token> tokens_of(std::string_view line) {
+    std::vector<Token> tokens;
+    for (std::size_t at = 0; (at = line.find_first_not_of(" \t\r", at)) != std::string_view::npos;) {
+        const std::size_t end = std::min(line.find_first_of(" \t\r", at), line.size());
+        tokens.push_back({static_cast<uint32_t>(at), static_cast<uint32_t>(end)});
+        at = end;
+    }
+    return tokens;
+}
+
+std::string_view text_of(std::string_view line, const Token& token) {
+    return line.substr(token.begin, token.end - token.begin);
+}
+
+bool is_number(std::string_view text) {
+    return parse_real(text).state == NumberState::ok;
+}
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+/// Index of the cell that holds a byte; ends.size() behind the last one.
+std::size_t cell_of(std::span<const uint32_t> ends, uint32_t at) {
+    return static_cast<std::size_t>(std::upper_bound(ends.begin(), ends.end(), at) - ends.begin());
+}
+
+uint32_t first_of(std::span<const uint32_t> ends, std::size_t cell) {
+    return cell == 0 ? 0 : ends[cell - 1];
+}
+
+/// "80,5 100,0": fixed columns with commas for points. A free-format line has no blanks around its numbers,
+/// or blanks after its commas.
+bool has_decimal_commas(std::string_view line, const std::vector<Token>& tokens) {
+    if (line.find('.') != std::string_view::npos) return false;
+    std::size_t commas = 0;
+    for (const Token& token : tokens) {
+        const std::string_view text = text_of(line, token);
+        const auto count = std::count(text.begin(), text.end(), ',');
+        if (count > 1) return false;
+        if (count == 0) continue;
+        const std::size_t at = text.find(',');
+        if (at == 0 || at + 1 == text.size() || !is_digit(text[at - 1]) || !is_digit(text[at + 1]))
+            return false;
+        ++commas;
+    }
+    return commas != 0 && tokens.size() > 1;
+}
+
+/// Whether a line shows its numbers in other cells than it has them in, where tabs stop at every eighth
+/// column.
+bool misleads(std::string_view line, const std::vector<Token>& tokens, std::span<const uint32_t> ends) {
+    uint32_t shown = 0, at = 0;
+    for (const Token& token : tokens) {
+        for (; at < token.begin; ++at)
+            shown = line[at] == '\t' ? (shown / 8 + 1) * 8 : shown + 1;
+        if (cell_of(ends, token.begin) != cell_of(ends, shown)) return true;
+        shown += token.end - token.begin;
+        at = token.end;
+    }
+    return false;
+}
+
+/// Two numbers that touch at `border`: the cell on either side is full, or the right one begins with a sign.
+bool touch_rightly(std::string_view line, const Token& token, uint32_t left_begin, uint32_t border,
+                   uint32_t right_end) {
+    if (token.begin <= left_begin || token.end >= right_end) return true;
+    const std::string_view right = text_of(line, {border, token.end});
+    const std::string_view left = text_of(line, {token.begin, border});
+    return (right[0] == '-' || right[0] == '+') && is_number(left) && is_number(right) &&
+           std::string_view("eEdD").find(left.back()) == std::string_view::npos &&
+           left.find('.') != std::string_view::npos;
+}
+
+} // namespace
+
+std::optional<ColumnFault> column_fault(std::string_view line, std::span<const uint32_t> ends,
+                                        uint32_t width) {
+    using Kind = ColumnFault::Kind;
+    const std::vector<Token> tokens = tokens_of(line);
+    if (tokens.empty()) return std::nullopt;
+    const auto fault = [&](Kind kind, const Token& token, std::size_t cell) {
+        return ColumnFault{kind, token.begin, token.end, first_of(ends, std::min(cell, ends.size())) + 1};
+    };
+    if (line.find(',') != std::string_view::npos) {
+        if (!has_decimal_commas(line, tokens)) return std::nullopt;
+        for (const Token& token : tokens)
+            if (text_of(line, token).find(',') != std::string_view::npos)
+                return fault(Kind::decimal_comma, token, cell_of(ends, token.begin));
+    }
+    const std::size_t tab = line.find('\t');
+    if (tab != std::string_view::npos && tab < tokens.back().begin && misleads(line, tokens, ends)) {
+        const auto at = static_cast<uint32_t>(tab);
+        return fault(Kind::tab, {at, at + 1}, cell_of(ends, at));
+    }
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+        const Token& token = tokens[i];
+        const std::string_view text = text_of(line, token);
+        if (text[0] == '#' || text[0] == '$') break; // a remark behind the values
+        if (token.begin >= width) {
+            if (is_number(text)) return fault(Kind::over_width, token, ends.size());
+            break;
+        }
+        const std::size_t cell = cell_of(ends, token.begin), last = cell_of(ends, token.end - 1);
+        if (cell >= ends.size()) break;
+        if (i > 0 && cell_of(ends, tokens[i - 1].begin) == cell &&
+            cell_of(ends, tokens[i - 1].end - 1) == cell && is_number(text))
+            return fault(Kind::several, token, cell);
+        if (last == cell + 1) {
+            const uint32_t right_end = last < ends.size() ? ends[last] : width;
+            if (text[0] != '&' && is_digit(text.back() == '.' ? '0' : text.back()) &&
+                !touch_rightly(line, token, first_of(ends, cell), ends[cell], right_end))
+                return fault(Kind::straddle, token, cell);
+        }
+    }
+    return std::nullopt;
+}
+
+} // namespace drawbead

@@ -1,0 +1,28 @@
+#pragma once
+// Where the text of a fixed-format line does not fit its columns.
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace drawbead {
+
+struct ColumnFault {
+    enum class Kind : uint8_t {
+        straddle,      ///< one number across a border
+        several,       ///< a second number in one cell, which is not read
+        tab,           ///< tabs, and what an editor shows is not what is read
+        decimal_comma, ///< a comma for a point: it switches the line to free format
+        over_width,    ///< a number behind the last column
+    };
+    Kind kind = Kind::straddle;
+    uint32_t begin = 0, end = 0; ///< bytes of the line, from 0
+    uint32_t cell = 0;           ///< first column of the cell that it is about, from 1
+};
+
+/// The first fault of a line, if any. `ends`: last column of each cell, ascending; blank ones count as cells.
+/// `width`: columns that are read at all. Numbers that touch because a cell is full are as they should be.
+std::optional<ColumnFault> column_fault(std::string_view line, std::span<const uint32_t> ends,
+                                        uint32_t width);
+
+} // namespace drawbead
