@@ -46,11 +46,24 @@ struct FrameBlock {
     File lines;      ///< with the header
 };
 
+/// "/INTER/TYPE8/1/5" -> "/INTER/TYPE8/1", "/GRNOD/NODENS/2" -> "/GRNOD/2": groups, surfaces … of one id
+/// replace each other, whatever their type.
+std::string key_of_header(const std::string& header) {
+    const std::vector<std::string> parts = split(trimmed(header), '/');
+    std::string key;
+    for (std::size_t i = 1; i < parts.size(); ++i) {
+        const bool id = !parts[i].empty() && parts[i].find_first_not_of("0123456789 ") == std::string::npos;
+        if (id) return key + "/" + trimmed(parts[i]);
+        if (i == 1 || parts[1] == "INTER") key += "/" + trimmed(parts[i]);
+    }
+    return key;
+}
+
 std::vector<FrameBlock> blocks_of(const File& lines) {
     std::vector<FrameBlock> blocks;
     for (const Line& line : lines) {
         if (blocks.empty() || (!line.text.empty() && line.text[0] == '/'))
-            blocks.push_back({line.text.empty() || line.text[0] != '/' ? "" : trimmed(line.text), {}});
+            blocks.push_back({line.text.empty() || line.text[0] != '/' ? "" : key_of_header(line.text), {}});
         blocks.back().lines.push_back(line);
     }
     return blocks;
@@ -75,7 +88,8 @@ File completed(const File& fragment, const std::string& version, const std::vect
         frame[3].text = std::string(10 - std::min<std::size_t>(version.size(), 10), ' ') + version;
 
     std::vector<FrameBlock> blocks = blocks_of(frame);
-    for (const std::string& key : dropped) {
+    for (const std::string& header : dropped) {
+        const std::string key = key_of_header(header);
         const auto gone =
             std::remove_if(blocks.begin(), blocks.end(), [&](const auto& b) { return b.key == key; });
         blocks.erase(gone, blocks.end());

@@ -11,7 +11,8 @@
 // and the blanks before it are taken away before the deck is read. `expect=` says it of lines that only the
 // frame has.
 //
-// A block of the fence replaces the frame's block of the same keyword and id. Tables (/NODE, /SHELL/1 …) join
+// A block of the fence replaces the frame's block of the same family and id (/GRNOD/NODE/2 takes the place of
+// /GRNOD/NODENS/2), and of the same type for /INTER. Tables (/NODE, /SHELL/1 …) join
 // instead, and their rows replace the frame's rows of the same id.
 #include "findings/report.h"
 

@@ -13,7 +13,7 @@ void report(const RuleContext& context, const Drawbead& bead, const char* name, 
     Draft draft = draft_at(context, bead, cell);
     draft.discriminator = name;
     const UnitSystem& units = context.deck.work_units();
-    draft.message = std::string(name) + "_last of " + bead_name(bead) + " is 0, beside a " + varying +
+    draft.message = std::string(name) + "_last of " + bead_name(bead) + " is 0, beside an " + varying +
                     "_last that is not: " + name + " stays " +
                     quantity(first, units, force_per_length_dimension) +
                     " along the whole bead and does not taper to 0";

@@ -12,7 +12,10 @@ void report_missing(const RuleContext& context, const Drawbead& bead, const Card
     Draft draft = draft_at_header(context, bead);
     const std::string name = bead_name(bead);
     const std::string version = std::to_string(scope_of(context.deck, bead).version);
-    const auto line = [&](std::size_t i) { return i < cards.lines.size() ? cards.lines[i] : draft.primary; };
+    const auto line = [&](std::size_t i) {
+        if (cards.lines.empty()) return draft.primary;
+        return i < cards.lines.size() ? cards.lines[i] : cards.lines.back();
+    };
     draft.help = "give the title and all cards, a blank line where a card has no values";
     switch (cards.missing) {
     case Missing::nothing:

@@ -20,6 +20,41 @@ void collect(const Card& card, std::string_view column, std::string_view name,
     if (cell.given() && cell.real != 0) dropped.push_back({name, cell});
 }
 
+double written(const std::vector<Dropped>& dropped, std::string_view name) {
+    for (const Dropped& one : dropped)
+        if (one.name == name) return one.cell.real;
+    return 0;
+}
+
+/// What a limit adds up to along the line as it is read, and as the card describes it; forces per length.
+void compare(const RuleContext& context, const Drawbead& bead, const char* what, double read, double meant,
+             Draft& draft) {
+    const double length = line_length(context.model, bead);
+    if (read == meant || length == 0) return;
+    const UnitSystem& units = context.deck.work_units();
+    std::string note = std::string("the ") + what + " is " + quantity(read * length, units, force_dimension) +
+                       " instead of " + force_over_line(context, bead, meant);
+    if (meant != 0)
+        note += " (" + std::string(read > meant ? "+" : "") + number(100 * (read / meant - 1), 2) + " %)";
+    draft.notes.push_back(std::move(note));
+    draft.measured.push_back({std::string(what) + " as read minus as written", (read - meant) * length,
+                              unit_name(units, force_dimension)});
+}
+
+void add_cost(const RuleContext& context, const Drawbead& bead, const std::vector<Dropped>& dropped,
+              Draft& draft) {
+    const Block& block = context.deck.blocks()[bead.block];
+    const double factor =
+        context.deck.factor(block.scope, block.unit, force_per_length_dimension).value_or(1);
+    const auto mean = [](double first, double last) { return last == 0 ? first : (first + last) / 2; };
+    const double fn = bead.fn_first != 0 ? bead.fn_first : factor * written(dropped, "Fn");
+    if (fn != 0)
+        compare(context, bead, "normal force", bead.fn_first, mean(fn, factor * written(dropped, "Fn_last")),
+                draft);
+    compare(context, bead, "restraint", bead.ft_first,
+            mean(bead.ft_first, factor * written(dropped, "Ft_last")), draft);
+}
+
 void check(const RuleContext& context, FindingSink& sink) {
     for (const Drawbead& bead : context.model.drawbeads()) {
         const CardLines cards = card_lines(context.deck, bead);
@@ -52,6 +87,7 @@ void check(const RuleContext& context, FindingSink& sink) {
                         bead_name(bead) + ": " +
                         (normal ? "no normal force, and the restraint acts at any distance"
                                 : "the limits are constant along the bead");
+        add_cost(context, bead, dropped, draft);
         draft.notes.push_back(
             "the solver says nothing: it cuts the card by the layout of the version on /BEGIN");
         draft.help = "raise the version on /BEGIN to " +
@@ -70,7 +106,7 @@ extern const Rule SYN002{
      .name = "value-ignored-by-version",
      .summary = "Fn, DEPTH, Fn_last or Ft_last are given, but the version on /BEGIN has no such fields",
      .severity = Severity::error},
-    Needs::none,
+    Needs::coordinates,
     check};
 
 } // namespace drawbead

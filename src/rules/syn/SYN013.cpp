@@ -5,6 +5,13 @@ namespace drawbead {
 
 namespace {
 
+Span last_line(const Deck& deck, FileId id) {
+    const SourceFile& file = deck.file(id);
+    const uint64_t size = file.bytes().size();
+    const uint64_t begin = size == 0 ? 0 : file.line_begin(size - 1);
+    return {id, begin, size};
+}
+
 void check(const RuleContext& context, FindingSink& sink) {
     for (const Notice& notice : context.deck.notices()) {
         if (notice.kind != Notice::Kind::end_missing && notice.kind != Notice::Kind::submodel_not_closed)
@@ -12,6 +19,7 @@ void check(const RuleContext& context, FindingSink& sink) {
         Draft draft;
         draft.primary = notice.place;
         if (notice.kind == Notice::Kind::end_missing) {
+            draft.primary = last_line(context.deck, notice.place.file);
             draft.message = "the deck has no /END: it may be cut off";
             draft.help = "compare the end of the file with its source, and close it with /END";
             draft.discriminator = "END";
