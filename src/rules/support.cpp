@@ -99,13 +99,13 @@ constexpr CardSchema real_card{"columns of twenty", real_columns};
 CardLines card_lines(const Deck& deck, const Drawbead& bead) {
     CardLines cards;
     const Block& block = deck.blocks()[bead.block];
+    const int layout = deck.scope(block.scope).layout;
+    if (layout < first_layout_with_titles) return cards;
     DataLines lines(deck, block);
     for (Span line; lines.next(line);)
         cards.lines.push_back(line);
     while (cards.lines.size() > 4 && trim(deck.text(cards.lines.back())).empty())
         cards.lines.pop_back();
-    const int layout = deck.scope(block.scope).layout;
-    if (layout < first_layout_with_titles) return cards;
 
     std::vector<std::string_view> texts;
     for (const Span& line : cards.lines)
@@ -198,21 +198,21 @@ std::string lost_include_note(const Deck& deck) {
     return "";
 }
 
-BlockFinder::BlockFinder(const Deck& deck) {
-    for (const Block& block : deck.blocks())
-        blocks_.push_back(&block);
-    std::stable_sort(blocks_.begin(), blocks_.end(), [](const Block* a, const Block* b) {
-        return std::pair(a->header.file, a->header.begin) < std::pair(b->header.file, b->header.begin);
-    });
-}
-
-const Block* BlockFinder::at(const Span& place) const {
-    auto after =
-        std::upper_bound(blocks_.begin(), blocks_.end(), place, [](const Span& p, const Block* block) {
-            return std::pair(p.file, p.begin) < std::pair(block->header.file, block->header.begin);
-        });
+const Block* BlockFinder::at(const Span& place) {
+    const auto before = [](const Span& a, const Span& b) {
+        return std::pair(a.file, a.begin) < std::pair(b.file, b.begin);
+    };
+    if (blocks_.empty()) {
+        for (const Block& block : deck_.blocks())
+            blocks_.push_back(&block);
+        std::stable_sort(blocks_.begin(), blocks_.end(),
+                         [&](const Block* a, const Block* b) { return before(a->header, b->header); });
+    }
+    const auto after =
+        std::upper_bound(blocks_.begin(), blocks_.end(), place,
+                         [&](const Span& p, const Block* block) { return before(p, block->header); });
     if (after == blocks_.begin()) return nullptr;
-    const Block* block = *--after;
+    const Block* block = *(after - 1);
     return block->header.file == place.file && place.begin <= block->text.end ? block : nullptr;
 }
 

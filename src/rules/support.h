@@ -22,8 +22,8 @@ struct CardLines {
         card_3,      ///< the card of Fn_last and Ft_last
         blank_card,  ///< the blank third card of layouts below 2022
     };
-    std::vector<Span>
-        lines; ///< data lines: title, cards, extra ones; blank lines after the third card left out
+    std::vector<Span> lines; ///< data lines: title, cards, extra ones; blank lines after the third card left
+                             ///< out; none below layout 51, where titles stand on the header
     Missing missing = Missing::nothing;
     bool shifted = false; ///< there is a line too many before the first card
 
@@ -74,14 +74,15 @@ void measure_force(const RuleContext&, const Drawbead&, std::string name, double
 /// could.
 std::string lost_include_note(const Deck&);
 
-/// Finds the block that holds a place, by a binary search.
+/// Finds the block that holds a place, by a binary search; sorts the blocks at the first question.
 class BlockFinder {
 public:
-    explicit BlockFinder(const Deck&);
+    explicit BlockFinder(const Deck& deck) : deck_(deck) {}
     /// nullptr when the place is in no block.
-    const Block* at(const Span&) const;
+    const Block* at(const Span&);
 
 private:
+    const Deck& deck_;
     std::vector<const Block*> blocks_; ///< by file and place
 };
 

@@ -31,7 +31,7 @@ void check(const RuleContext& context, FindingSink& sink) {
         draft.help = "define /UNIT/" + std::to_string(unit) + ", or take the unit id off the header";
         sink.add(std::move(draft));
     }
-    const BlockFinder blocks(deck);
+    BlockFinder blocks(deck);
     for (const ReadIssue& issue : context.model.issues()) {
         if (issue.kind != ReadIssue::Kind::unknown_unit) continue;
         const Block* block = blocks.at(issue.place);

@@ -33,7 +33,7 @@ void check(const RuleContext& context, FindingSink& sink) {
     std::string first;
     for (const ReadIssue& issue : context.model.issues()) {
         if (issue.kind != ReadIssue::Kind::unknown_node) continue;
-        if (places.empty()) first = issue.subject;
+        if (places.empty()) first = issue.subject + ": " + issue.detail;
         places.push_back(issue.place);
         count += issue.count;
     }

@@ -7,49 +7,58 @@ namespace drawbead {
 
 namespace {
 
-const char* defect(ReadIssue::Kind kind) {
-    switch (kind) {
+bool is_missing(ReadIssue::Kind kind) {
+    return kind == ReadIssue::Kind::property_missing || kind == ReadIssue::Kind::material_missing ||
+           kind == ReadIssue::Kind::part_missing || kind == ReadIssue::Kind::member_missing;
+}
+
+/// "part 1 names property 7, which does not exist"
+std::string explain(const ReadIssue& issue, const std::string& where) {
+    const auto names = [&](const char* what) {
+        return printable(issue.subject) + " names " +
+               (issue.detail == "0"
+                    ? std::string("no ") + what
+                    : std::string(what) + " " + printable(issue.detail) + ", which does not exist");
+    };
+    switch (issue.kind) {
     case ReadIssue::Kind::property_missing:
-        return "names a property that does not exist";
+        return names("property");
     case ReadIssue::Kind::material_missing:
-        return "names a material that does not exist";
+        return names("material");
     case ReadIssue::Kind::part_missing:
-        return "names a part that does not exist";
-    case ReadIssue::Kind::member_missing:
-        return "names a member that does not exist";
+        return "the part of " + where + " does not exist";
     default:
-        return nullptr;
+        return where + " names " + printable(issue.subject) + ", which does not exist";
     }
 }
 
 void check(const RuleContext& context, FindingSink& sink) {
-    const BlockFinder blocks(context.deck);
+    BlockFinder blocks(context.deck);
     struct Found {
         std::vector<Span> places;
         uint64_t count = 0;
-        std::string where, subject;
+        std::string message, discriminator;
     };
-    std::map<std::pair<ReadIssue::Kind, std::string>, Found> all; // one finding per kind of option
+    std::map<std::pair<ReadIssue::Kind, std::string>, Found> all; // one finding per block and kind
     for (const ReadIssue& issue : context.model.issues()) {
-        if (!defect(issue.kind)) continue;
+        if (!is_missing(issue.kind)) continue;
         const Block* block = blocks.at(issue.place);
-        const std::string where = block ? std::string(block->keyword) : "";
+        const std::string where = block ? header_name(*block) : "the deck";
         Found& found = all[{issue.kind, where}];
         if (found.places.empty()) {
-            found.where = block ? header_name(*block) : "the deck";
-            found.subject = issue.subject;
+            found.message = explain(issue, where);
+            found.discriminator = where + " " + issue.subject + " " + issue.detail;
         }
         found.places.push_back(issue.place);
         found.count += issue.count;
     }
-    for (const auto& [key, found] : all) {
+    for (auto& [key, found] : all) {
         Draft draft;
         set_places(draft, found.places);
         draft.place_count = found.count;
-        draft.discriminator = found.where + " " + found.subject;
-        draft.message = found.where + " " + defect(key.first) +
-                        (found.subject.empty() ? "" : " (" + printable(found.subject) + ")");
-        if (found.count > 1) draft.message += ", first of " + std::to_string(found.count);
+        draft.discriminator = std::move(found.discriminator);
+        draft.message = std::move(found.message);
+        if (found.count > 1) draft.message += " (first of " + std::to_string(found.count) + ")";
         if (std::string note = lost_include_note(context.deck); !note.empty())
             draft.notes.push_back(std::move(note));
         draft.help = "define it, or correct the id";

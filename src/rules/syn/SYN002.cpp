@@ -1,6 +1,7 @@
 #include "rules/support.h"
 #include "rules/text.h"
 
+#include <algorithm>
 #include <string_view>
 
 namespace drawbead {
@@ -17,7 +18,7 @@ struct Dropped {
 void collect(const Card& card, std::string_view column, std::string_view name,
              std::vector<Dropped>& dropped) {
     const Cell& cell = card[column];
-    if (cell.given() && cell.real != 0) dropped.push_back({name, cell});
+    if (cell.given()) dropped.push_back({name, cell});
 }
 
 double written(const std::vector<Dropped>& dropped, std::string_view name) {
@@ -73,20 +74,31 @@ void check(const RuleContext& context, FindingSink& sink) {
         }
         if (dropped.empty()) continue;
 
+        const bool any =
+            std::any_of(dropped.begin(), dropped.end(), [](const Dropped& d) { return d.cell.real != 0; });
+        if (any) std::erase_if(dropped, [](const Dropped& d) { return d.cell.real == 0; });
+
         Draft draft = draft_at_header(context, bead);
         std::vector<Span> places;
         std::string names;
         for (const Dropped& one : dropped) {
             places.push_back(one.cell.place);
             if (!names.empty()) names += &one == &dropped.back() ? " and " : ", ";
-            names += std::string(one.name) + " = " + number(one.cell.real);
+            names += std::string(one.name) + (any ? " = " + number(one.cell.real) : "");
         }
         set_places(draft, places);
-        const bool normal = dropped.front().name == "Fn" || dropped.front().name == "DEPTH";
         draft.message = "version " + std::to_string(scope.version) + " does not read " + names + " of " +
-                        bead_name(bead) + ": " +
-                        (normal ? "no normal force, and the restraint acts at any distance"
-                                : "the limits are constant along the bead");
+                        bead_name(bead) + ": ";
+        if (!any) {
+            draft.severity = Severity::info;
+            draft.message += "with 0 nothing is lost";
+            draft.help = "leave the columns blank, or raise the version on /BEGIN";
+            sink.add(std::move(draft));
+            continue;
+        }
+        const bool normal = dropped.front().name == "Fn" || dropped.front().name == "DEPTH";
+        draft.message += normal ? "no normal force, and the restraint acts at any distance"
+                                : "the limits are constant along the bead";
         add_cost(context, bead, dropped, draft);
         draft.notes.push_back(
             "the solver says nothing: it cuts the card by the layout of the version on /BEGIN");

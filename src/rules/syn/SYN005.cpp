@@ -31,8 +31,11 @@ void check(const RuleContext& context, FindingSink& sink) {
         draft.discriminator = trouble.where + " " + trouble.text;
         set_places(draft, trouble.places);
         draft.place_count = trouble.count;
-        // What the tool reads beside the beads can be wrong without harm to them.
-        if (!trouble.concerns_beads && context.model.drawbeads().empty()) draft.severity = Severity::warning;
+        // Parts, properties and materials are all read, and most of them have nothing to do with a bead.
+        if (!trouble.concerns_beads) {
+            if (context.model.drawbeads().empty()) continue;
+            draft.severity = Severity::warning;
+        }
         draft.message = explain(trouble);
         if (trouble.count > 1) draft.message += " (first of " + std::to_string(trouble.count) + ")";
         draft.help = "write a number such as 80., 8.0E1 or 8.0D1";

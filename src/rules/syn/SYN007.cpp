@@ -18,13 +18,25 @@ bool used_by_beads(const std::string& family) {
     return family == "interface" || family == "node group" || family == "surface" || family == "node";
 }
 
+/// Whether all nodes that share an id stand at one place: a copy, which changes nothing.
+bool copies_only(const Model& model) {
+    const NodeTable& nodes = model.nodes();
+    if (nodes.x.size() < nodes.size()) return false;
+    for (const uint32_t row : nodes.map.duplicates()) {
+        const uint32_t first = nodes.map.row(nodes.id[row]);
+        const Vec3 a = nodes.x[first], b = nodes.x[row];
+        if (a.x != b.x || a.y != b.y || a.z != b.z) return false;
+    }
+    return true;
+}
+
 struct Twins {
     std::vector<const ReadIssue*> issues;
     uint64_t count = 0;
 };
 
 void check(const RuleContext& context, FindingSink& sink) {
-    const BlockFinder blocks(context.deck);
+    BlockFinder blocks(context.deck);
     std::map<std::string, Twins> rows; // of nodes and elements, told once per family
     for (const ReadIssue& issue : context.model.issues()) {
         if (issue.kind != ReadIssue::Kind::duplicate_id) continue;
@@ -62,6 +74,10 @@ void check(const RuleContext& context, FindingSink& sink) {
         if (twins.count > 1) draft.message += " (first of " + std::to_string(twins.count) + ")";
         if (twins.issues.front()->related.end != 0)
             draft.related.insert(draft.related.begin(), twins.issues.front()->related);
+        if (family == "node" && copies_only(context.model)) {
+            draft.severity = Severity::warning;
+            draft.message += ", at one place";
+        }
         draft.notes.push_back("a file that is included twice defines everything twice");
         draft.help = "remove one of them, or give it another id";
         sink.add(std::move(draft));

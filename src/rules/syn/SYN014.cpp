@@ -15,13 +15,12 @@ void check(const RuleContext& context, FindingSink& sink) {
         Draft draft;
         draft.primary = issue.place;
         draft.discriminator = issue.subject;
-        draft.message =
-            quoted(issue.subject) + " is not supported: " +
-            (issue.detail.empty() ? "what depends on it is not checked" : printable(issue.detail));
+        draft.message = quoted(issue.detail.empty() ? issue.subject : issue.subject + " " + issue.detail) +
+                        " is not supported: what depends on it is not checked";
         sink.add(std::move(draft));
     }
     for (const Notice& notice : context.deck.notices()) {
-        if (notice.kind != Notice::Kind::encrypted) continue;
+        if (notice.kind != Notice::Kind::encrypted || context.model.drawbeads().empty()) continue;
         Draft draft;
         draft.primary = notice.place;
         draft.discriminator = "encrypted";

@@ -48,7 +48,7 @@ std::vector<CellTrouble> cell_troubles(const RuleContext& context, std::span<con
             }
         }
     }
-    const BlockFinder blocks(context.deck);
+    BlockFinder blocks(context.deck);
     std::map<std::pair<const Block*, ReadIssue::Kind>, std::size_t> known;
     for (const ReadIssue& issue : context.model.issues()) {
         if (!wanted(kinds, issue.kind)) continue;

@@ -3,7 +3,7 @@
 #include "deck/number.h"
 
 #include <algorithm>
-#include <vector>
+#include <array>
 
 namespace drawbead {
 
@@ -13,15 +13,33 @@ struct Token {
     uint32_t begin, end;
 };
 
-std::vector<Token> tokens_of(std::string_view line) {
-    std::vector<Token> tokens;
-    for (std::size_t at = 0; (at = line.find_first_not_of(" \t\r", at)) != std::string_view::npos;) {
-        const std::size_t end = std::min(line.find_first_of(" \t\r", at), line.size());
-        tokens.push_back({static_cast<uint32_t>(at), static_cast<uint32_t>(end)});
-        at = end;
+/// The first tokens of a line, enough for all its cells; lists can have a million lines, so nothing is
+/// allocated.
+class Tokens {
+public:
+    explicit Tokens(std::string_view line) {
+        for (std::size_t at = 0; at < line.size() && count_ < tokens_.size();) {
+            while (at < line.size() && is_blank(line[at]))
+                ++at;
+            const std::size_t begin = at;
+            while (at < line.size() && !is_blank(line[at]))
+                ++at;
+            if (at > begin) tokens_[count_++] = {static_cast<uint32_t>(begin), static_cast<uint32_t>(at)};
+        }
     }
-    return tokens;
-}
+    std::size_t size() const { return count_; }
+    bool empty() const { return count_ == 0; }
+    const Token& operator[](std::size_t i) const { return tokens_[i]; }
+    const Token* begin() const { return tokens_.data(); }
+    const Token* end() const { return tokens_.data() + count_; }
+    const Token& back() const { return tokens_[count_ - 1]; }
+
+private:
+    static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+
+    std::array<Token, 64> tokens_;
+    std::size_t count_ = 0;
+};
 
 std::string_view text_of(std::string_view line, const Token& token) {
     return line.substr(token.begin, token.end - token.begin);
@@ -45,7 +63,7 @@ uint32_t first_of(std::span<const uint32_t> ends, std::size_t cell) {
 
 /// "80,5 100,0": fixed columns with commas for points. A free-format line has no blanks around its numbers,
 /// or blanks after its commas.
-bool has_decimal_commas(std::string_view line, const std::vector<Token>& tokens) {
+bool has_decimal_commas(std::string_view line, const Tokens& tokens) {
     if (line.find('.') != std::string_view::npos) return false;
     std::size_t commas = 0;
     for (const Token& token : tokens) {
@@ -63,7 +81,7 @@ bool has_decimal_commas(std::string_view line, const std::vector<Token>& tokens)
 
 /// Whether a line shows its numbers in other cells than it has them in, where tabs stop at every eighth
 /// column.
-bool misleads(std::string_view line, const std::vector<Token>& tokens, std::span<const uint32_t> ends) {
+bool misleads(std::string_view line, const Tokens& tokens, std::span<const uint32_t> ends) {
     uint32_t shown = 0, at = 0;
     for (const Token& token : tokens) {
         for (; at < token.begin; ++at)
@@ -91,7 +109,7 @@ bool touch_rightly(std::string_view line, const Token& token, uint32_t left_begi
 std::optional<ColumnFault> column_fault(std::string_view line, std::span<const uint32_t> ends,
                                         uint32_t width) {
     using Kind = ColumnFault::Kind;
-    const std::vector<Token> tokens = tokens_of(line);
+    const Tokens tokens(line);
     if (tokens.empty()) return std::nullopt;
     const auto fault = [&](Kind kind, const Token& token, std::size_t cell) {
         return ColumnFault{kind, token.begin, token.end, first_of(ends, std::min(cell, ends.size())) + 1};
