@@ -1,0 +1,180 @@
+#include "rules/check.h"
+
+#include "base/parallel.h"
+#include "cli/commands.h"
+#include "cli/nearest.h"
+#include "cli/paths.h"
+#include "cli/reading.h"
+#include "report/writer.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <new>
+#include <unistd.h>
+
+namespace drawbead {
+
+namespace {
+
+/// Decks that may be finished ahead of one that is still being checked: results wait in memory.
+constexpr std::size_t finished_ahead = 64;
+
+DeckResult check_one(const DeckPath& deck, const CheckCommand& command, const Selection& selection,
+                     unsigned threads) {
+    if (deck.failed()) return failed_deck(deck.path, deck.failure, deck.help);
+    try {
+        const Result<DeckSource> source = deck_source(deck.path, command.reading);
+        if (!source) return failed_deck(deck.path, source.error().message);
+        return check_deck(source->name, *source->reader, read_options(command.reading, threads),
+                          {selection, threads});
+    } catch (const std::bad_alloc&) {
+        return failed_deck(deck.path, "out of memory", "check fewer decks at a time with -j");
+    }
+}
+
+/// Takes results in any order and passes them on in deck order. Whoever is too far ahead waits, so that
+/// memory stays flat however long one deck takes.
+class InOrder {
+public:
+    explicit InOrder(std::function<void(DeckResult)> sink) : sink_(std::move(sink)) {}
+
+    void wait_for_turn(std::size_t index) {
+        std::unique_lock lock(mutex_);
+        turn_.wait(lock, [&] { return index < next_ + finished_ahead; });
+    }
+    void add(std::size_t index, DeckResult result) {
+        const std::lock_guard lock(mutex_);
+        waiting_.emplace(index, std::move(result));
+        for (auto it = waiting_.begin(); it != waiting_.end() && it->first == next_;
+             it = waiting_.erase(it), ++next_)
+            sink_(std::move(it->second));
+        turn_.notify_all();
+    }
+
+private:
+    std::function<void(DeckResult)> sink_;
+    std::mutex mutex_;
+    std::condition_variable turn_;
+    std::map<std::size_t, DeckResult> waiting_;
+    std::size_t next_ = 0;
+};
+
+void add(Summary& total, const Summary& part) {
+    total.decks += part.decks;
+    total.failed += part.failed;
+    total.interfaces += part.interfaces;
+    total.errors += part.errors;
+    total.warnings += part.warnings;
+    total.infos += part.infos;
+}
+
+std::unique_ptr<ReportWriter> make_writer(const CheckCommand& command, OutputSink& out) {
+    const bool colour = command.output.file.empty() ? wants_colour(command.output.colour, STDOUT_FILENO)
+                                                    : command.output.colour == ColourMode::always;
+    switch (command.format) {
+    case Format::full:
+        return full_writer(out, colour);
+    case Format::concise:
+        return concise_writer(out, colour);
+    case Format::json:
+        break;
+    }
+    return json_writer(out, tool_version());
+}
+
+bool fails(const Summary& summary, FailOn fail_on) {
+    switch (fail_on) {
+    case FailOn::error:
+        return summary.errors > 0;
+    case FailOn::warning:
+        return summary.errors + summary.warnings > 0;
+    case FailOn::info:
+        return summary.errors + summary.warnings + summary.infos > 0;
+    case FailOn::never:
+        break;
+    }
+    return false;
+}
+
+/// Codes and families may be typed in any letter case.
+std::vector<std::string> canonical(std::vector<std::string> words) {
+    const std::vector<std::string> known = rule_words(false);
+    for (std::string& word : words)
+        if (const std::string upper = upper_case(word);
+            std::find(known.begin(), known.end(), upper) != known.end())
+            word = upper;
+    return words;
+}
+
+std::optional<Error> unknown_rule(const Selection& selection) {
+    const std::optional<std::string> word = selection.unknown();
+    if (!word) return std::nullopt;
+    std::string help = did_you_mean(*word, rule_words(true));
+    if (help.empty()) help = "'drawbead rules' lists all";
+    return Error{"no rule or family '" + *word + "'", "", 0, 0, help};
+}
+
+} // namespace
+
+int run(const CheckCommand& command) {
+    const auto start = std::chrono::steady_clock::now();
+    const Selection selection{canonical(command.select), canonical(command.ignore)};
+    if (const std::optional<Error> error = unknown_rule(selection)) {
+        say_error(*error);
+        return exit_failed;
+    }
+    std::unique_ptr<FileSink> out = std::make_unique<FileSink>(STDOUT_FILENO, "standard output");
+    if (!command.output.file.empty()) {
+        Result<std::unique_ptr<FileSink>> file = FileSink::replace(command.output.file);
+        if (!file) {
+            say_error(file.error());
+            return exit_failed;
+        }
+        out = std::move(*file);
+    }
+
+    const std::vector<DeckPath> decks = find_decks(command.paths);
+    // Several decks are checked side by side; threads that are left over help within each.
+    const unsigned threads = thread_count(command.reading);
+    const unsigned side_by_side = static_cast<unsigned>(std::clamp<std::size_t>(decks.size(), 1, threads));
+    const unsigned within = std::max(1u, threads / side_by_side);
+
+    const std::unique_ptr<ReportWriter> writer = make_writer(command, *out);
+    const bool on_terminal = command.output.file.empty() && ::isatty(STDOUT_FILENO) == 1;
+    Progress progress(!command.output.quiet, decks.size());
+    Summary summary;
+    std::atomic<bool> stop = false;
+    InOrder results([&](DeckResult result) {
+        if (stop) return;
+        std::vector<DeckResult> one;
+        one.push_back(std::move(result));
+        const DeckResult& deck = one.front();
+        add(summary, summarise(one));
+        if (deck.failed() || (on_terminal && !deck.findings.empty())) progress.clear();
+        writer->deck(deck);
+        if (deck.failed() || on_terminal) out->flush();
+        if (deck.failed()) say_failure(deck);
+        if (out->failed()) stop = true;
+        progress.show(summary.decks, deck.path);
+    });
+    parallel_for(side_by_side, decks.size(), [&](std::size_t i) {
+        results.wait_for_turn(i);
+        results.add(i, stop ? DeckResult{} : check_one(decks[i], command, selection, within));
+    });
+    writer->end(summary);
+    progress.clear();
+
+    if (const int status = finish(*out); status != exit_clean) return status;
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+    summary.seconds = time.count();
+    if (!command.output.quiet) say(summary_sentence(summary));
+    if (summary.failed > 0) return exit_failed;
+    return fails(summary, command.fail_on) ? exit_findings : exit_clean;
+}
+
+} // namespace drawbead

@@ -1,0 +1,301 @@
+// The only file that includes CLI11: it takes the compiler many seconds.
+#include "cli/options.h"
+
+#include "cli/commands.h"
+#include "cli/nearest.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <deque>
+#include <sstream>
+
+namespace drawbead {
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+std::string joined(const Words& words) {
+    std::string text;
+    for (const std::string& word : words)
+        text += (text.empty() ? "" : ", ") + word;
+    return text;
+}
+
+/// The command line, and where its values go. Options whose value is one of a few words, or a list or number
+/// of our own making, are taken as text and read in `finish`, so that their messages are ours.
+class Parser {
+public:
+    Parser();
+    std::variant<Command, UsageError> parse(int argc, const char* const* argv);
+    std::vector<CommandSketch> describe();
+
+private:
+    struct Choice {
+        CLI::Option* option;
+        std::string value;
+        Words words;
+    };
+
+    Choice& choice(CLI::App* command, const std::string& name, const Words& words, const std::string& help);
+    void reading_options(CLI::App* command, ReadArguments& reading);
+    std::optional<UsageError> finish();
+    UsageError explain(const CLI::ParseError& error, const CLI::App& command) const;
+    Words option_names(const CLI::App& command) const;
+
+    CLI::App app_{"Checks drawbeads (/INTER/TYPE8) of Radioss and OpenRadioss starter decks.", "drawbead"};
+    CLI::App *check_, *info_, *rules_, *explain_, *schema_, *completion_;
+    CheckCommand check_values_;
+    InfoCommand info_values_;
+    RulesCommand rules_values_;
+    ExplainCommand explain_values_;
+    SchemaCommand schema_values_;
+    CompletionCommand completion_values_;
+    std::deque<Choice> choices_;
+    Choice *check_format_, *fail_on_, *colour_, *info_format_, *rules_format_;
+    Words select_, ignore_;
+    std::string threads_;
+    std::map<const CLI::Option*, Words>
+        suggestions_; ///< for completion, of options that take other words too
+};
+
+Parser::Parser() {
+    app_.set_version_flag("--version", "drawbead " + std::string(tool_version()),
+                          "Print the version and leave");
+    app_.set_help_flag("-h,--help", "Print this help and leave");
+    app_.require_subcommand(1);
+    app_.footer("Results go to standard output; errors, the summary and progress to standard error.\n"
+                "Exit status: 0 clean, 1 findings, 2 could not do the work, 3 a bug of drawbead.");
+
+    check_ = app_.add_subcommand("check", "Check the drawbeads of decks");
+    CLI::Option* paths =
+        check_
+            ->add_option("PATH", check_values_.paths,
+                         "Decks, folders (all *_0000.rad below), patterns, - for standard input")
+            ->required()
+            ->type_name("");
+    suggestions_[paths] = {};
+    Words with_names = rule_words(true);
+    suggestions_[check_
+                     ->add_option(
+                         "--select", select_,
+                         "Rules to run: codes, families or names, separated by commas (default: all)")
+                     ->type_name("RULE")
+                     ->allow_extra_args(false)] = with_names;
+    suggestions_[check_
+                     ->add_option("--ignore", ignore_,
+                                  "Rules not to run; wins over --select where it is as precise or more")
+                     ->type_name("RULE")
+                     ->allow_extra_args(false)] = with_names;
+    fail_on_ = &choice(check_, "--fail-on", {"error", "warning", "info", "never"},
+                       "Least severity that gives exit status 1");
+    check_format_ = &choice(check_, "--format", {"full", "concise", "json"}, "How findings are printed");
+    check_
+        ->add_option("-o,--output", check_values_.output.file,
+                     "Write results to a file, all at once when complete")
+        ->type_name("FILE");
+    colour_ = &choice(check_, "--color", {"auto", "always", "never"},
+                      "Colour the text; auto: on a terminal, by NO_COLOR and CLICOLOR_FORCE");
+    check_->add_flag("-q,--quiet", check_values_.output.quiet, "No summary and no progress");
+    reading_options(check_, check_values_.reading);
+
+    info_ = app_.add_subcommand("info", "Say what was read of a deck");
+    info_->add_option("DECK", info_values_.path, "The deck, - for standard input")->required()->type_name("");
+    info_format_ = &choice(info_, "--format", {"text", "json"}, "How it is printed");
+    reading_options(info_, info_values_.reading);
+
+    rules_ = app_.add_subcommand("rules", "List all rules");
+    rules_format_ = &choice(rules_, "--format", {"text", "json"}, "How they are printed");
+
+    explain_ = app_.add_subcommand("explain", "Print the page of a rule");
+    suggestions_
+        [explain_->add_option("RULE", explain_values_.rule, "Its code or name")->required()->type_name("")] =
+            with_names;
+
+    schema_ = app_.add_subcommand("schema", "Print the JSON Schema of a document");
+    suggestions_[schema_->add_option("NAME", schema_values_.name, "report: what check --format json writes")
+                     ->required()
+                     ->type_name("")] = {"report"};
+
+    completion_ = app_.add_subcommand("completion", "Print a completion script for a shell");
+    suggestions_[completion_->add_option("SHELL", completion_values_.shell, "bash, zsh or fish")
+                     ->required()
+                     ->type_name("")] = {"bash", "zsh", "fish"};
+}
+
+/// The first of `words` is the default.
+Parser::Choice& Parser::choice(CLI::App* command, const std::string& name, const Words& words,
+                               const std::string& help) {
+    Choice& made = choices_.emplace_back(Choice{nullptr, words.front(), words});
+    made.option = command->add_option(name, made.value, help + ": " + joined(words))
+                      ->type_name("")
+                      ->option_text("WORD");
+    suggestions_[made.option] = words;
+    return made;
+}
+
+void Parser::reading_options(CLI::App* command, ReadArguments& reading) {
+    command
+        ->add_option("--include-path", reading.include_path,
+                     "Further folder to look for includes in; may be repeated")
+        ->type_name("FOLDER")
+        ->allow_extra_args(false);
+    command->add_option("--include-root", reading.include_root, "Folder that no include may lie outside of")
+        ->type_name("FOLDER");
+    command
+        ->add_option("--stdin-filename", reading.stdin_filename,
+                     "What standard input is called; its includes are looked up beside it")
+        ->type_name("FILE");
+    command->add_option("-j,--threads", threads_, "Threads; 0, the default, for all cores")->type_name("N");
+}
+
+/// Reads what was taken as text.
+std::optional<UsageError> Parser::finish() {
+    for (const Choice& one : choices_) {
+        if (std::find(one.words.begin(), one.words.end(), one.value) != one.words.end()) continue;
+        std::string help = did_you_mean(one.value, one.words);
+        if (help.empty()) help = "please give one of " + joined(one.words);
+        return UsageError{one.option->get_name() + " knows no '" + one.value + "'", help};
+    }
+    const auto index = [](const Choice& one) {
+        return std::find(one.words.begin(), one.words.end(), one.value) - one.words.begin();
+    };
+    check_values_.format = static_cast<Format>(index(*check_format_));
+    check_values_.fail_on = static_cast<FailOn>(index(*fail_on_));
+    check_values_.output.colour = static_cast<ColourMode>(index(*colour_));
+    info_values_.json = index(*info_format_) == 1;
+    rules_values_.json = index(*rules_format_) == 1;
+    if (check_values_.output.file == "-") check_values_.output.file.clear();
+
+    const auto split = [](const Words& lists, Words& entries) {
+        for (const std::string& list : lists) {
+            std::istringstream stream(list + ',');
+            for (std::string entry; std::getline(stream, entry, ',');) {
+                entry.erase(0, entry.find_first_not_of(' '));
+                entry.erase(entry.find_last_not_of(' ') + 1);
+                entries.push_back(entry);
+            }
+        }
+    };
+    split(select_, check_values_.select);
+    split(ignore_, check_values_.ignore);
+
+    if (!threads_.empty()) {
+        constexpr unsigned most = 1024;
+        unsigned threads = 0;
+        const char* end = threads_.data() + threads_.size();
+        const auto [stop, error] = std::from_chars(threads_.data(), end, threads);
+        if (error != std::errc() || stop != end || threads > most)
+            return UsageError{"-j needs a number of threads, not '" + threads_ + "'",
+                              "please give 0 (all cores) to 1024"};
+        check_values_.reading.threads = info_values_.reading.threads = threads;
+    }
+    return std::nullopt;
+}
+
+Words Parser::option_names(const CLI::App& command) const {
+    Words names;
+    for (const CLI::Option* option : command.get_options())
+        for (const std::string& name : option->get_lnames())
+            names.push_back("--" + name);
+    return names;
+}
+
+/// What is wrong, in our words where we know.
+UsageError Parser::explain(const CLI::ParseError& error, const CLI::App& command) const {
+    const std::string see =
+        "see 'drawbead" + (&command == &app_ ? "" : " " + command.get_name()) + " --help'";
+    if (dynamic_cast<const CLI::ExtrasError*>(&error)) {
+        const Words extras = app_.remaining(true);
+        const auto option = std::find_if(extras.begin(), extras.end(), [](const std::string& word) {
+            return word.size() > 1 && word[0] == '-';
+        });
+        if (option != extras.end()) {
+            const std::string name = option->substr(0, option->find('='));
+            const std::string help = did_you_mean(name, option_names(command));
+            return {"unknown option '" + name + "'", help.empty() ? see : help};
+        }
+        if (!extras.empty()) return {"unexpected argument '" + extras.front() + "'", see};
+    }
+    std::string message = error.what();
+    if (dynamic_cast<const CLI::RequiredError*>(&error))
+        message = &command == &app_ ? "a command is missing"
+                                    : command.get_name() + " needs an argument: " + message;
+    return {message, see};
+}
+
+std::variant<Command, UsageError> Parser::parse(int argc, const char* const* argv) {
+    Words commands;
+    for (const CLI::App* command : app_.get_subcommands([](const CLI::App*) { return true; }))
+        commands.push_back(command->get_name());
+    if (argc > 1 && argv[1][0] != '-' &&
+        std::find(commands.begin(), commands.end(), argv[1]) == commands.end()) {
+        const std::string help = did_you_mean(argv[1], commands);
+        return UsageError{"unknown command '" + std::string(argv[1]) + "'",
+                          help.empty() ? "please give one of " + joined(commands) : help};
+    }
+    try {
+        app_.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == 0) {
+            std::ostringstream text;
+            app_.exit(error, text, text);
+            return Command{PrintCommand{text.str()}};
+        }
+        const std::vector<CLI::App*> chosen = app_.get_subcommands();
+        return explain(error, chosen.empty() ? app_ : *chosen.front());
+    }
+    if (std::optional<UsageError> error = finish()) return *error;
+    if (check_->parsed()) return Command{check_values_};
+    if (info_->parsed()) return Command{info_values_};
+    if (rules_->parsed()) return Command{rules_values_};
+    if (explain_->parsed()) return Command{explain_values_};
+    if (schema_->parsed()) return Command{schema_values_};
+    return Command{completion_values_};
+}
+
+std::vector<CommandSketch> Parser::describe() {
+    std::vector<CommandSketch> commands;
+    for (const CLI::App* command : app_.get_subcommands([](const CLI::App*) { return true; })) {
+        CommandSketch sketch{command->get_name(), command->get_description(), {}, std::nullopt};
+        for (const CLI::Option* option : command->get_options()) {
+            OptionSketch one;
+            if (!option->get_lnames().empty()) one.long_name = "--" + option->get_lnames().front();
+            if (!option->get_snames().empty()) one.short_name = "-" + option->get_snames().front();
+            one.help = option->get_description();
+            const auto words = suggestions_.find(option);
+            if (words != suggestions_.end()) one.choices = words->second;
+            using Value = OptionSketch::Value;
+            if (option->get_items_expected_max() == 0)
+                one.value = Value::none;
+            else if (!one.choices.empty())
+                one.value = Value::choice;
+            else if (option->get_type_name() == "FOLDER")
+                one.value = Value::folder;
+            else if (option->get_type_name() == "FILE" || option->get_positional())
+                one.value = Value::file;
+            else
+                one.value = Value::any;
+            if (option->get_positional())
+                sketch.positional = one;
+            else
+                sketch.options.push_back(one);
+        }
+        commands.push_back(std::move(sketch));
+    }
+    return commands;
+}
+
+} // namespace
+
+std::variant<Command, UsageError> parse_command_line(int argc, const char* const* argv) {
+    return Parser().parse(argc, argv);
+}
+
+std::vector<CommandSketch> describe_command_line() {
+    return Parser().describe();
+}
+
+} // namespace drawbead

@@ -1,0 +1,92 @@
+#pragma once
+// The command line as plain structs: whatever parses it stays in options.cpp.
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace drawbead {
+
+enum class Format { full, concise, json };
+enum class ColourMode { automatic, always, never };
+enum class FailOn { error, warning, info, never };
+
+/// How decks are found and read; the same for every command that reads one.
+struct ReadArguments {
+    std::vector<std::string> include_path;
+    std::string include_root;
+    std::string stdin_filename; ///< what `-` is called; empty: "<stdin>"
+    unsigned threads = 0;       ///< 0: all cores
+};
+
+/// Where results go and what stands around them.
+struct OutputArguments {
+    std::string file; ///< empty: standard output
+    ColourMode colour = ColourMode::automatic;
+    bool quiet = false; ///< no summary, no progress
+};
+
+struct CheckCommand {
+    std::vector<std::string> paths;
+    std::vector<std::string> select, ignore; ///< single entries, as typed
+    FailOn fail_on = FailOn::error;
+    Format format = Format::full;
+    ReadArguments reading;
+    OutputArguments output;
+};
+
+struct InfoCommand {
+    std::string path;
+    bool json = false;
+    ReadArguments reading;
+};
+
+struct RulesCommand {
+    bool json = false;
+};
+
+struct ExplainCommand {
+    std::string rule; ///< code or name as typed
+};
+
+struct SchemaCommand {
+    std::string name;
+};
+
+struct CompletionCommand {
+    std::string shell; ///< bash, zsh or fish
+};
+
+/// Text to print instead of doing anything: --help, --version.
+struct PrintCommand {
+    std::string text;
+};
+
+using Command = std::variant<CheckCommand, InfoCommand, RulesCommand, ExplainCommand, SchemaCommand,
+                             CompletionCommand, PrintCommand>;
+
+/// A command line that cannot be understood.
+struct UsageError {
+    std::string message;
+    std::string help;
+};
+
+std::variant<Command, UsageError> parse_command_line(int argc, const char* const* argv);
+
+/// The command line as data, for completion scripts.
+struct OptionSketch {
+    enum class Value { none, any, file, folder, choice };
+    std::string long_name, short_name; ///< with dashes; empty when there is none
+    std::string help;
+    Value value = Value::none;
+    std::vector<std::string> choices;
+};
+struct CommandSketch {
+    std::string name, help;
+    std::vector<OptionSketch> options;
+    std::optional<OptionSketch> positional;
+};
+std::vector<CommandSketch> describe_command_line();
+
+} // namespace drawbead

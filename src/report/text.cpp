@@ -1,0 +1,106 @@
+#include "report/text.h"
+
+#include "report/writer.h"
+
+#include <charconv>
+
+namespace drawbead {
+
+Palette::Palette(bool colour) {
+    if (!colour) return;
+    bold = "\x1b[1m";
+    red = "\x1b[1;31m";
+    yellow = "\x1b[1;33m";
+    cyan = "\x1b[1;36m";
+    blue = "\x1b[1;34m";
+    reset = "\x1b[0m";
+}
+
+std::string_view Palette::of(Severity severity) const {
+    switch (severity) {
+    case Severity::error:
+        return red;
+    case Severity::warning:
+        return yellow;
+    case Severity::info:
+        break;
+    }
+    return cyan;
+}
+
+std::string printable(std::string_view text) {
+    std::string out(text);
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        const auto byte = static_cast<unsigned char>(out[i]);
+        const auto next = i + 1 < out.size() ? static_cast<unsigned char>(out[i + 1]) : 0;
+        if (byte < 0x20 || byte == 0x7f) out[i] = '?';
+        if (byte == 0xc2 && next >= 0x80 && next < 0xa0) out[i] = out[i + 1] = '?';
+    }
+    return out;
+}
+
+std::string place_text(const ResolvedPlace& place) {
+    std::string text = printable(place.file);
+    if (place.line) text += ':' + std::to_string(place.line);
+    if (place.line && place.column) text += ':' + std::to_string(place.column);
+    return text;
+}
+
+std::string finding_line(const DeckResult& deck, const Finding& finding, const Palette& palette) {
+    std::string text(palette.bold);
+    text += finding.places.empty() ? printable(deck.path) : place_text(finding.places.front());
+    text += ':';
+    text += palette.reset;
+    text += ' ';
+    text += palette.of(finding.severity);
+    text += name(finding.severity);
+    text += ':';
+    text += palette.reset;
+    text += ' ';
+    text += palette.bold;
+    text += finding.code;
+    text += palette.reset;
+    text += ' ';
+    text += finding.name;
+    text += ": ";
+    text += printable(finding.message);
+    for (std::size_t i = 0; i < finding.fixes.size(); ++i) {
+        const FixOffer& fix = finding.fixes[i];
+        text += i ? "; " : " [";
+        text += fix.applicability == FixAvailability::safe ? "fix: " : "unsafe fix: ";
+        text += printable(fix.title);
+    }
+    if (!finding.fixes.empty()) text += ']';
+    return text;
+}
+
+std::string counted(uint64_t count, std::string_view noun) {
+    std::string text = std::to_string(count) + ' ';
+    text += noun;
+    if (count != 1) text += 's';
+    return text;
+}
+
+std::string summary_sentence(const Summary& summary) {
+    std::string found;
+    const auto add = [&](uint64_t count, std::string_view noun, std::string_view end) {
+        if (count == 0) return;
+        if (!found.empty()) found += ", ";
+        found += counted(count, noun);
+        found += end;
+    };
+    add(summary.errors, "error", "");
+    add(summary.warnings, "warning", "");
+    add(summary.infos, "note", "");
+    if (found.empty() && summary.failed < summary.decks) found = "no findings";
+    add(summary.failed, "deck", " not read");
+    if (found.empty()) found = "nothing to check";
+
+    char seconds[32];
+    const auto end =
+        std::to_chars(seconds, seconds + sizeof seconds, summary.seconds, std::chars_format::fixed, 2);
+    return counted(summary.decks, "deck") + ", " + counted(summary.interfaces, "interface") + ": " + found +
+           " in " + std::string(seconds, end.ptr) + " s";
+}
+
+} // namespace drawbead
