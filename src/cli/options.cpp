@@ -97,7 +97,7 @@ Parser::Parser() {
                      "Write results to a file, all at once when complete")
         ->type_name("FILE");
     colour_ = &choice(check_, "--color", {"auto", "always", "never"},
-                      "Colour the text; auto: on a terminal, by NO_COLOR and CLICOLOR_FORCE");
+                      "When to colour text, NO_COLOR and CLICOLOR_FORCE heeded");
     check_->add_flag("-q,--quiet", check_values_.output.quiet, "No summary and no progress");
     reading_options(check_, check_values_.reading);
 
@@ -207,18 +207,16 @@ Words Parser::option_names(const CLI::App& command) const {
 UsageError Parser::explain(const CLI::ParseError& error, const CLI::App& command) const {
     const std::string see =
         "see 'drawbead" + (&command == &app_ ? "" : " " + command.get_name()) + " --help'";
-    if (dynamic_cast<const CLI::ExtrasError*>(&error)) {
-        const Words extras = app_.remaining(true);
-        const auto option = std::find_if(extras.begin(), extras.end(), [](const std::string& word) {
-            return word.size() > 1 && word[0] == '-';
-        });
-        if (option != extras.end()) {
-            const std::string name = option->substr(0, option->find('='));
-            const std::string help = did_you_mean(name, option_names(command));
-            return {"unknown option '" + name + "'", help.empty() ? see : help};
-        }
-        if (!extras.empty()) return {"unexpected argument '" + extras.front() + "'", see};
+    const Words extras = app_.remaining(true);
+    const auto option = std::find_if(extras.begin(), extras.end(), [](const std::string& word) {
+        return word.size() > 1 && word[0] == '-';
+    });
+    if (option != extras.end()) {
+        const std::string name = option->substr(0, option->find('='));
+        const std::string help = did_you_mean(name, option_names(command));
+        return {"unknown option '" + name + "'", help.empty() ? see : help};
     }
+    if (!extras.empty()) return {"unexpected argument '" + extras.front() + "'", see};
     std::string message = error.what();
     if (dynamic_cast<const CLI::RequiredError*>(&error))
         message = &command == &app_ ? "a command is missing"
@@ -236,8 +234,15 @@ std::variant<Command, UsageError> Parser::parse(int argc, const char* const* arg
         return UsageError{"unknown command '" + std::string(argv[1]) + "'",
                           help.empty() ? "please give one of " + joined(commands) : help};
     }
+    // A pattern in brackets would be taken for a list in CLI11's own notation.
+    Words arguments(argv, argv + argc);
+    for (std::string& word : arguments)
+        if (!word.empty() && word.front() == '[' && word.back() == ']') word.insert(0, "./");
+    std::vector<const char*> pointers;
+    for (const std::string& word : arguments)
+        pointers.push_back(word.c_str());
     try {
-        app_.parse(argc, argv);
+        app_.parse(argc, pointers.data());
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) {
             std::ostringstream text;

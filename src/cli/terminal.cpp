@@ -44,7 +44,7 @@ void say(std::string_view line) {
 }
 
 void say_error(const Error& error) {
-    say(printable((error.path.empty() ? "drawbead: " : "") + to_string(error)));
+    say(terminal_safe((error.path.empty() ? "drawbead: " : "") + to_string(error)));
 }
 
 Progress::Progress(bool enabled, std::size_t total)
@@ -54,7 +54,7 @@ Progress::Progress(bool enabled, std::size_t total)
 void Progress::show(std::size_t done, std::string_view path) {
     if (!enabled_ || Clock::now() < next_) return;
     next_ = Clock::now() + std::chrono::milliseconds(100);
-    std::string line = "[" + std::to_string(done) + "/" + std::to_string(total_) + "] " + printable(path);
+    std::string line = "[" + std::to_string(done) + "/" + std::to_string(total_) + "] " + terminal_safe(path);
     // One column stays free: a full line would wrap and could not be taken away.
     line.resize(std::min(line.size(), terminal_width() - 1));
     to_standard_error("\r\x1b[K" + line);

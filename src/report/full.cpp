@@ -40,7 +40,7 @@ private:
     void source(const ResolvedPlace& place, std::string_view colour) {
         if (place.line == 0 || place.snippet.empty()) return;
         const std::string line = std::to_string(place.line);
-        const std::string snippet = printable(place.snippet);
+        const std::string snippet = terminal_safe(place.snippet);
         margin(line);
         out_.write(' ');
         out_.write(snippet);
@@ -76,7 +76,7 @@ private:
             const ResolvedPlace& place = finding.places[shown];
             if (!text.empty()) text += ", ";
             std::string where = place_text(place);
-            const std::string file = printable(place.file);
+            const std::string file = terminal_safe(place.file);
             if (place.line && place.file == finding.places[shown - 1].file) where.erase(0, file.size() + 1);
             text += where;
         }
@@ -94,7 +94,7 @@ private:
         out_.write(":");
         out_.write(palette_.reset);
         out_.write(' ');
-        out_.write(printable(text));
+        out_.write(terminal_safe(text));
         out_.write('\n');
     }
 

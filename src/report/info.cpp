@@ -11,14 +11,14 @@ namespace {
 /// "Mg mm s", with "-" for what is not named.
 std::string unit_text(const std::string& mass, const std::string& length, const std::string& time) {
     const auto shown = [](const std::string& unit) {
-        return unit.empty() ? std::string("-") : printable(unit);
+        return unit.empty() ? std::string("-") : terminal_safe(unit);
     };
     return shown(mass) + ' ' + shown(length) + ' ' + shown(time);
 }
 
 std::string length_text(double length, const std::string& unit) {
     std::string text = json_number(length);
-    if (!unit.empty()) text += ' ' + printable(unit);
+    if (!unit.empty()) text += ' ' + terminal_safe(unit);
     return text;
 }
 
@@ -29,11 +29,11 @@ void write_info_text(OutputSink& out, const DeckResult& deck) {
     const std::string work = unit_text(info.mass_unit, info.length_unit, info.time_unit);
     const std::string input = unit_text(info.input_mass_unit, info.input_length_unit, info.input_time_unit);
     out.write(text_table({
-        {"deck", printable(deck.path)},
-        {"run", printable(info.run_name)},
+        {"deck", terminal_safe(deck.path)},
+        {"run", terminal_safe(info.run_name)},
         {"version", std::to_string(info.version)},
         {"units", work == input ? work : work + " (written in " + input + ")"},
-        {"files", counted(info.files.size(), "file") + ", " + counted(info.bytes, "byte")},
+        {"files", how_many(info.files.size(), "file") + ", " + how_many(info.bytes, "byte")},
         {"nodes", std::to_string(info.nodes)},
         {"shells4", std::to_string(info.shells4)},
         {"shells3", std::to_string(info.shells3)},
@@ -45,19 +45,19 @@ void write_info_text(OutputSink& out, const DeckResult& deck) {
         std::vector<std::vector<std::string>> rows{{"id", "nodes", "segments", "length", "title"}};
         for (const InterfaceSummary& one : info.interfaces)
             rows.push_back({std::to_string(one.id), std::to_string(one.nodes), std::to_string(one.segments),
-                            length_text(one.length, info.length_unit), printable(one.title)});
+                            length_text(one.length, info.length_unit), terminal_safe(one.title)});
         out.write("\n/INTER/TYPE8\n");
         out.write(text_table(rows, {0, 1, 2, 3}, 2));
     }
     if (info.files.size() > 1) {
         out.write("\nfiles\n");
         for (const std::string& file : info.files)
-            out.write("  " + printable(file) + '\n');
+            out.write("  " + terminal_safe(file) + '\n');
     }
     if (!info.keywords.empty()) {
         std::vector<std::vector<std::string>> rows;
         for (const auto& [keyword, blocks] : info.keywords)
-            rows.push_back({std::to_string(blocks), printable(keyword)});
+            rows.push_back({std::to_string(blocks), terminal_safe(keyword)});
         out.write("\nkeywords\n");
         out.write(text_table(rows, {0}, 2));
     }

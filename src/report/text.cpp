@@ -28,7 +28,7 @@ std::string_view Palette::of(Severity severity) const {
     return cyan;
 }
 
-std::string printable(std::string_view text) {
+std::string terminal_safe(std::string_view text) {
     std::string out(text);
     for (std::size_t i = 0; i < out.size(); ++i) {
         const auto byte = static_cast<unsigned char>(out[i]);
@@ -40,7 +40,7 @@ std::string printable(std::string_view text) {
 }
 
 std::string place_text(const ResolvedPlace& place) {
-    std::string text = printable(place.file);
+    std::string text = terminal_safe(place.file);
     if (place.line) text += ':' + std::to_string(place.line);
     if (place.line && place.column) text += ':' + std::to_string(place.column);
     return text;
@@ -48,7 +48,7 @@ std::string place_text(const ResolvedPlace& place) {
 
 std::string finding_line(const DeckResult& deck, const Finding& finding, const Palette& palette) {
     std::string text(palette.bold);
-    text += finding.places.empty() ? printable(deck.path) : place_text(finding.places.front());
+    text += finding.places.empty() ? terminal_safe(deck.path) : place_text(finding.places.front());
     text += ':';
     text += palette.reset;
     text += ' ';
@@ -63,18 +63,18 @@ std::string finding_line(const DeckResult& deck, const Finding& finding, const P
     text += ' ';
     text += finding.name;
     text += ": ";
-    text += printable(finding.message);
+    text += terminal_safe(finding.message);
     for (std::size_t i = 0; i < finding.fixes.size(); ++i) {
         const FixOffer& fix = finding.fixes[i];
         text += i ? "; " : " [";
         text += fix.applicability == FixAvailability::safe ? "fix: " : "unsafe fix: ";
-        text += printable(fix.title);
+        text += terminal_safe(fix.title);
     }
     if (!finding.fixes.empty()) text += ']';
     return text;
 }
 
-std::string counted(uint64_t count, std::string_view noun) {
+std::string how_many(uint64_t count, std::string_view noun) {
     std::string text = std::to_string(count) + ' ';
     text += noun;
     if (count != 1) text += 's';
@@ -86,7 +86,7 @@ std::string summary_sentence(const Summary& summary) {
     const auto add = [&](uint64_t count, std::string_view noun, std::string_view end) {
         if (count == 0) return;
         if (!found.empty()) found += ", ";
-        found += counted(count, noun);
+        found += how_many(count, noun);
         found += end;
     };
     add(summary.errors, "error", "");
@@ -99,7 +99,7 @@ std::string summary_sentence(const Summary& summary) {
     char seconds[32];
     const auto end =
         std::to_chars(seconds, seconds + sizeof seconds, summary.seconds, std::chars_format::fixed, 2);
-    return counted(summary.decks, "deck") + ", " + counted(summary.interfaces, "interface") + ": " + found +
+    return how_many(summary.decks, "deck") + ", " + how_many(summary.interfaces, "interface") + ": " + found +
            " in " + std::string(seconds, end.ptr) + " s";
 }
 

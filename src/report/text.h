@@ -14,8 +14,9 @@ struct Palette {
     std::string_view of(Severity) const;
 };
 
-/// Control bytes (and the UTF-8 form of C1 controls) replaced by '?': deck text must not drive a terminal.
-std::string printable(std::string_view text);
+/// The same bytes, but every control byte, C1 controls in UTF-8 too, is a '?': names and deck text must not
+/// drive a terminal.
+std::string terminal_safe(std::string_view text);
 
 /// "path:line:column"; the line and column only where known.
 std::string place_text(const ResolvedPlace&);
@@ -25,6 +26,6 @@ std::string place_text(const ResolvedPlace&);
 std::string finding_line(const DeckResult&, const Finding&, const Palette&);
 
 /// "1 deck", "2 decks".
-std::string counted(uint64_t count, std::string_view noun);
+std::string how_many(uint64_t count, std::string_view noun);
 
 } // namespace drawbead
