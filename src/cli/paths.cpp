@@ -14,6 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::string_view starter_end = "_0000.RAD";
+
 bool ends_with(std::string_view text, std::string_view end) {
     return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
 }
@@ -105,14 +107,21 @@ std::vector<fs::path> expand(const std::string& pattern) {
     return found;
 }
 
-/// What a missing file was probably meant to be: a neighbour with nearly the same name.
+/// What a missing file was probably meant to be: a neighbour with nearly the same name. The end that all
+/// decks share does not count as likeness.
 std::string missing_help(const fs::path& path) {
+    std::string name = path.filename().string();
+    const std::string end = is_starter_name(name) ? name.substr(name.size() - starter_end.size()) : "";
+    name.erase(name.size() - end.size());
     std::error_code error;
-    std::vector<std::string> names;
-    for (const fs::directory_entry& entry : entries_of(path.parent_path(), error))
-        names.push_back(entry.path().filename().string());
-    const std::optional<std::string> name = nearest(path.filename().string(), names);
-    return name ? "did you mean '" + (path.parent_path() / *name).string() + "'?" : "";
+    std::vector<std::string> candidates;
+    for (const fs::directory_entry& entry : entries_of(path.parent_path(), error)) {
+        const std::string candidate = entry.path().filename().string();
+        if (ends_with(candidate, end))
+            candidates.push_back(candidate.substr(0, candidate.size() - end.size()));
+    }
+    const std::optional<std::string> best = nearest(name, candidates);
+    return best ? "did you mean '" + (path.parent_path() / (*best + end)).string() + "'?" : "";
 }
 
 void add_folder(const fs::path& folder, std::vector<DeckPath>& found) {
@@ -160,7 +169,7 @@ std::string identity(const DeckPath& deck) {
 } // namespace
 
 bool is_starter_name(std::string_view file_name) {
-    return ends_with(upper_case(file_name), "_0000.RAD");
+    return ends_with(upper_case(file_name), starter_end);
 }
 
 std::vector<DeckPath> find_decks(const std::vector<std::string>& arguments) {

@@ -56,6 +56,7 @@ void write_info_text(OutputSink& out, const DeckResult& deck) {
     }
     if (!info.keywords.empty()) {
         std::vector<std::vector<std::string>> rows;
+        rows.reserve(info.keywords.size());
         for (const auto& [keyword, blocks] : info.keywords)
             rows.push_back({std::to_string(blocks), terminal_safe(keyword)});
         out.write("\nkeywords\n");

@@ -2,6 +2,7 @@
 
 import json
 import os
+import pty
 import re
 import unittest
 
@@ -198,6 +199,20 @@ class Output(CommandLineTest):
         self.assertFalse(coloured("--color=never", CLICOLOR_FORCE="1"))
         self.assertFalse(coloured("--format=json", CLICOLOR_FORCE="1"))
 
+    def test_terminal(self):
+        def on_terminal(*arguments, **env):
+            ours, theirs = pty.openpty()
+            with os.fdopen(theirs, "wb") as terminal:
+                self.run_tool("check", "bad_0000.rad", *arguments, stdout=terminal, env={"TERM": "xterm", **env})
+                shown = os.read(ours, 100_000)
+            os.close(ours)
+            return b"\x1b[" in shown
+
+        self.assertTrue(on_terminal())
+        self.assertFalse(on_terminal(NO_COLOR="1"))
+        self.assertFalse(on_terminal(TERM="dumb"))
+        self.assertFalse(on_terminal("--color=never"))
+
     def test_formats_agree(self):
         _, concise, _ = self.run_tool("check", "bad_0000.rad", "--format", "concise")
         _, full, _ = self.run_tool("check", "bad_0000.rad", "--format", "full")
@@ -240,7 +255,7 @@ class Usage(CommandLineTest):
                                 "check", "--ignore", "LIN,nonsense", "x")
         self.assert_usage_error("no rule or family ''; 'drawbead rules' lists all", "check", "--select", "", "x")
         self.assert_usage_error("-j needs a number of threads, not '-1'; please give 0 (all cores) to 1024",
-                                "check", "-j=-1", "x")
+                                "check", "--threads=-1", "x")
         self.assert_usage_error("check needs an argument: PATH is required; see 'drawbead check --help'", "check")
         self.assert_usage_error("--select: 1 required RULE missing; see 'drawbead check --help'", "check", "x", "--select")
 
