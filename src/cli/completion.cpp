@@ -162,7 +162,9 @@ std::string zsh_script(const Sketches& commands) {
     }
     return text + "    esac\n"
                   "}\n"
-                  "compdef _drawbead drawbead\n";
+                  // Autoloaded, the file is the function's first call; sourced, it only defines it.
+                  "if [[ $funcstack[1] == _drawbead ]]; then _drawbead \"$@\"; else compdef _drawbead "
+                  "drawbead; fi\n";
 }
 
 std::string fish_source(const OptionSketch& option) {
