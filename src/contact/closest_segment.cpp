@@ -1,0 +1,310 @@
+#include "contact/closest_segment.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+namespace drawbead {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr uint32_t leaf_size = 4;
+
+double outside(double lo, double hi, double at) {
+    return std::max({lo - at, at - hi, 0.0});
+}
+
+double distance_to_box(Vec3 lo, Vec3 hi, Vec3 x) {
+    return norm({outside(lo.x, hi.x, x.x), outside(lo.y, hi.y, x.y), outside(lo.z, hi.z, x.z)});
+}
+
+Vec3 lower(Vec3 a, Vec3 b) {
+    return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
+}
+Vec3 upper(Vec3 a, Vec3 b) {
+    return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
+}
+
+/// Node numbers of edge k; a triangle has no edge 2.
+std::array<uint32_t, 2> edge_nodes(const SegmentNodes& n, std::size_t k) {
+    return {n[k], n[(k + 1) % 4]};
+}
+
+bool holds(const SegmentNodes& n, uint32_t node) {
+    return std::find(n.begin(), n.end(), node) != n.end();
+}
+
+/// Whether two segments have the nodes of an edge in common, next to each other in both.
+bool has_edge(const SegmentNodes& n, uint32_t a, uint32_t b) {
+    for (std::size_t k = 0; k < 4; ++k) {
+        const auto e = edge_nodes(n, k);
+        if ((e[0] == a && e[1] == b) || (e[0] == b && e[1] == a)) return true;
+    }
+    return false;
+}
+
+bool is_free_edge(const NearMesh& mesh, uint32_t a, uint32_t b) {
+    int count = 0;
+    for (const uint32_t s : mesh.segments_around(a))
+        count += has_edge(mesh.segment[s], a, b);
+    return count == 1;
+}
+
+/// Whether any edge that ends at this node is free.
+bool on_outline(const NearMesh& mesh, uint32_t node) {
+    for (const uint32_t s : mesh.segments_around(node))
+        for (std::size_t k = 0; k < 4; ++k) {
+            const auto e = edge_nodes(mesh.segment[s], k);
+            if (e[0] != e[1] && (e[0] == node || e[1] == node) && is_free_edge(mesh, e[0], e[1])) return true;
+        }
+    return false;
+}
+
+/// Nodes of a segment at the foot: one for a corner, two for an edge, none inside.
+struct FootNodes {
+    std::array<uint32_t, 2> node{};
+    std::size_t count = 0;
+};
+
+FootNodes nodes_at(const SegmentNodes& n, const Foot& foot) {
+    FootNodes out;
+    std::array<std::size_t, 2> edge{};
+    std::size_t edges = 0;
+    for (std::size_t k = 0; k < 4 && edges < 2; ++k)
+        if (foot.edges >> k & 1) edge[edges++] = k;
+    if (edges == 0) return out;
+    const auto first = edge_nodes(n, edge[0]);
+    if (edges == 1) return {first, 2};
+    const auto second = edge_nodes(n, edge[1]);
+    const bool shared = first[0] == second[0] || first[0] == second[1];
+    return {{shared ? first[0] : first[1], 0}, 1};
+}
+
+/// Bits of a ten-bit number moved three apart.
+uint32_t spread(uint32_t v) {
+    v = (v | v << 16) & 0x030000ff;
+    v = (v | v << 8) & 0x0300f00f;
+    v = (v | v << 4) & 0x030c30c3;
+    return (v | v << 2) & 0x09249249;
+}
+
+/// Indices by ascending 30-bit key, in three passes; equal keys keep their order.
+std::vector<uint32_t> sorted_by(const std::vector<uint32_t>& key) {
+    std::vector<uint32_t> order(key.size()), next(key.size());
+    std::iota(order.begin(), order.end(), 0u);
+    for (uint32_t shift = 0; shift < 30; shift += 10) {
+        std::array<uint32_t, 1024> begin{};
+        for (const uint32_t k : key)
+            ++begin[k >> shift & 1023];
+        uint32_t sum = 0;
+        for (uint32_t& b : begin)
+            sum += std::exchange(b, sum);
+        for (const uint32_t i : order)
+            next[begin[key[i] >> shift & 1023]++] = i;
+        order.swap(next);
+    }
+    return order;
+}
+
+} // namespace
+
+// Segments along a Morton curve, split where its highest bit changes.
+ClosestSegment::ClosestSegment(const NearMesh& mesh) : mesh_(mesh) {
+    const std::size_t n = mesh.segment.size();
+    if (n == 0) return;
+    Vec3 lo = mesh.x[0], hi = lo;
+    for (const Vec3& p : mesh.x)
+        lo = lower(lo, p), hi = upper(hi, p);
+    for (const double v : {lo.x, lo.y, lo.z, hi.x, hi.y, hi.z})
+        magnitude_ = std::max(magnitude_, std::abs(v));
+    const double longest = std::max({hi.x - lo.x, hi.y - lo.y, hi.z - lo.z});
+    const double scale = longest > 0 ? 1023 / longest : 0;
+    const auto step = [&](double at, double from) {
+        return spread(static_cast<uint32_t>((at - from) * scale));
+    };
+    std::vector<uint32_t> key(n);
+    for (uint32_t s = 0; s < n; ++s) {
+        const Vec3 middle = 0.5 * (mesh.x[mesh.segment[s][0]] + mesh.x[mesh.segment[s][2]]);
+        key[s] = step(middle.x, lo.x) | step(middle.y, lo.y) << 1 | step(middle.z, lo.z) << 2;
+    }
+    order_ = sorted_by(key);
+    tree_.reserve(2 * (n / (leaf_size / 2) + 1));
+    build(0, static_cast<uint32_t>(n), key);
+}
+
+void ClosestSegment::build(uint32_t begin, uint32_t end, const std::vector<uint32_t>& key) {
+    const std::size_t self = tree_.size();
+    tree_.push_back({{}, {}, begin, end, 0});
+    if (end - begin <= leaf_size) {
+        Vec3 lo = mesh_.x[mesh_.segment[order_[begin]][0]], hi = lo;
+        for (uint32_t k = begin; k < end; ++k)
+            for (const uint32_t node : mesh_.segment[order_[k]]) {
+                lo = lower(lo, mesh_.x[node]);
+                hi = upper(hi, mesh_.x[node]);
+            }
+        tree_[self].lo = lo, tree_[self].hi = hi;
+        return;
+    }
+    uint32_t middle = begin + (end - begin) / 2;
+    if (const uint32_t changes = key[order_[begin]] ^ key[order_[end - 1]]; changes != 0) {
+        const uint32_t bit = std::bit_floor(changes);
+        middle = static_cast<uint32_t>(std::partition_point(order_.begin() + begin, order_.begin() + end,
+                                                            [&](uint32_t s) { return (key[s] & bit) == 0; }) -
+                                       order_.begin());
+    }
+    build(begin, middle, key);
+    const std::size_t right = tree_.size();
+    build(middle, end, key);
+    tree_[self].right = static_cast<uint32_t>(right);
+    tree_[self].lo = lower(tree_[self + 1].lo, tree_[right].lo);
+    tree_[self].hi = upper(tree_[self + 1].hi, tree_[right].hi);
+}
+
+/// Distances closer to each other than this are equal but for rounding.
+double ClosestSegment::tie(Vec3 x) const {
+    return 16 * std::numeric_limits<double>::epsilon() *
+           std::max({magnitude_, std::abs(x.x), std::abs(x.y), std::abs(x.z)});
+}
+
+template <class Visit>
+void ClosestSegment::visit_within(Vec3 x, const double& radius, Visit&& visit) const {
+    struct Pending {
+        uint32_t box;
+        double distance;
+    };
+    std::array<Pending, 80> stack;
+    std::size_t depth = 0;
+    if (!tree_.empty()) stack[depth++] = {0, distance_to_box(tree_[0].lo, tree_[0].hi, x)};
+    while (depth > 0) {
+        const Pending top = stack[--depth];
+        if (top.distance > radius) continue;
+        const Box& box = tree_[top.box];
+        if (box.right == 0) {
+            for (uint32_t k = box.begin; k < box.end; ++k)
+                if (squared_distance_to_box(mesh_.corners(order_[k]), x) <= radius * radius) visit(order_[k]);
+            continue;
+        }
+        const Box &a = tree_[top.box + 1], &b = tree_[box.right];
+        const Pending left{top.box + 1, distance_to_box(a.lo, a.hi, x)};
+        const Pending right{box.right, distance_to_box(b.lo, b.hi, x)};
+        stack[depth++] = left.distance <= right.distance ? right : left;
+        stack[depth++] = left.distance <= right.distance ? left : right;
+    }
+}
+
+ClosestHit ClosestSegment::find(Vec3 x) const {
+    struct Candidate {
+        uint32_t segment;
+        double distance;
+        bool inside;
+    };
+    std::vector<Candidate> candidates; // all that may still be within a tie of the closest
+    const double equal = tie(x);
+    double closest = infinity, radius = infinity;
+    visit_within(x, radius, [&](uint32_t s) {
+        const Foot foot = closest_point(mesh_.corners(s), x);
+        if (foot.distance > radius) return;
+        if (foot.distance < closest) {
+            if (foot.distance + equal < closest) candidates.clear();
+            closest = foot.distance;
+            radius = closest + equal;
+        }
+        candidates.push_back({s, foot.distance, foot.inside()});
+    });
+    const Candidate* best = nullptr;
+    for (const Candidate& c : candidates) {
+        if (c.distance > radius) continue;
+        if (!best || (c.inside != best->inside ? c.inside : c.segment < best->segment)) best = &c;
+    }
+    if (!best) {
+        ClosestHit none;
+        none.exact = mesh_.cells.empty();
+        return none;
+    }
+    ClosestHit hit = complete(x, best->segment, closest_point(mesh_.corners(best->segment), x));
+    const Vec3 r{radius, radius, radius};
+    hit.exact = mesh_.covers(x - r, x + r);
+    return hit;
+}
+
+ClosestHit ClosestSegment::complete(Vec3 x, uint32_t segment, const Foot& foot) const {
+    ClosestHit hit;
+    hit.segment = segment;
+    hit.foot = foot;
+    const Vec3 away = x - foot.point;
+    const double along = dot(foot.normal, away);
+    hit.d = along < 0 ? -foot.distance : foot.distance;
+    const SegmentNodes& n = mesh_.segment[segment];
+    const FootNodes at = nodes_at(n, foot);
+    hit.on_free_edge = at.count == 1   ? on_outline(mesh_, at.node[0])
+                       : at.count == 2 ? is_free_edge(mesh_, at.node[0], at.node[1])
+                                       : false;
+    if (hit.on_free_edge) {
+        const double size = std::sqrt(area(mesh_.corners(segment)));
+        const double aside = norm(away - along * foot.normal);
+        hit.offset = size > 0 ? aside / size : aside > 0 ? infinity : 0;
+    }
+    return hit;
+}
+
+/// Inside a segment it is one. On an edge or at a node it is one when no segment that shares the foot comes
+/// closer.
+bool ClosestSegment::is_local_minimum(Vec3 x, uint32_t segment, const Foot& foot) const {
+    const FootNodes at = nodes_at(mesh_.segment[segment], foot);
+    if (at.count == 0) return true;
+    const double equal = tie(x);
+    for (const uint32_t s : mesh_.segments_around(at.node[0])) {
+        if (s == segment || (at.count == 2 && !holds(mesh_.segment[s], at.node[1]))) continue;
+        if (closest_point(mesh_.corners(s), x).distance < foot.distance - equal) return false;
+    }
+    return true;
+}
+
+std::optional<ClosestHit> ClosestSegment::other_layer(Vec3 x, const ClosestHit& nearest,
+                                                      double within) const {
+    if (!nearest.found()) return {};
+    const SegmentNodes& own = mesh_.segment[nearest.segment];
+    uint32_t best = no_segment;
+    Foot best_foot;
+    double radius = within;
+    visit_within(x, radius, [&](uint32_t s) {
+        const SegmentNodes& n = mesh_.segment[s];
+        if (std::any_of(n.begin(), n.end(), [&](uint32_t node) { return holds(own, node); })) return;
+        const Foot foot = closest_point(mesh_.corners(s), x);
+        if (foot.distance > radius || (foot.distance == radius && best != no_segment && s > best)) return;
+        if (!is_local_minimum(x, s, foot)) return;
+        best = s;
+        best_foot = foot;
+        radius = foot.distance;
+    });
+    if (best == no_segment) return {};
+    return complete(x, best, best_foot);
+}
+
+NearMesh mesh_for_closest(const SegmentMesh& mesh, std::span<const Vec3> points, double travel,
+                          unsigned threads) {
+    double reach = first_reach(mesh) + 2 * travel;
+    while (true) {
+        NearMesh part = near_mesh(mesh, points, reach, threads);
+        if (part.cells.empty()) return part;
+        const ClosestSegment closest(part);
+        double farthest = 0;
+        bool exact = true;
+        for (const Vec3& p : points) {
+            const ClosestHit hit = closest.find(p);
+            exact = exact && hit.exact && hit.found();
+            farthest = std::max(farthest, hit.found() ? hit.foot.distance : 0);
+        }
+        // The distance changes by no more than the way gone: a ball around the moved point.
+        const double needed = 2 * travel + farthest * (1 + 1e-9);
+        if (exact && needed <= reach) return part;
+        const bool known = exact || (needed > reach && needed < 2 * reach);
+        reach = next_reach(part, points, known ? needed : 2 * reach);
+    }
+}
+
+} // namespace drawbead

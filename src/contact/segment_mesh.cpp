@@ -1,0 +1,267 @@
+#include "contact/segment_mesh.h"
+
+#include "base/buffer.h"
+#include "base/parallel.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+namespace drawbead {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+struct BoundingBox {
+    Vec3 lo{infinity, infinity, infinity}, hi{-infinity, -infinity, -infinity};
+
+    void add(Vec3 p) {
+        lo = {std::min(lo.x, p.x), std::min(lo.y, p.y), std::min(lo.z, p.z)};
+        hi = {std::max(hi.x, p.x), std::max(hi.y, p.y), std::max(hi.z, p.z)};
+    }
+    void add(const BoundingBox& b) {
+        add(b.lo);
+        add(b.hi);
+    }
+    bool empty() const { return !(lo.x <= hi.x); }
+};
+
+/// The coarse grid's cell of a coordinate, counted from 1; 0 below the grid and count + 1 above it. Monotone.
+uint32_t cell(double at, double from, double per_cell, uint32_t count) {
+    const double c = (at - from) * per_cell;
+    return !(c >= 0) ? 0 : c >= count ? count + 1 : static_cast<uint32_t>(c) + 1;
+}
+
+using Cell = std::array<uint32_t, 3>;
+
+Cell cell_of(const NearMesh& m, Vec3 p) {
+    const double per_cell = 1 / m.cell_size;
+    return {cell(p.x, m.cells_min.x, per_cell, m.cell_count[0]),
+            cell(p.y, m.cells_min.y, per_cell, m.cell_count[1]),
+            cell(p.z, m.cells_min.z, per_cell, m.cell_count[2])};
+}
+
+/// Calls act(bit number) for the cells of the grid from lo to hi until it returns true; says whether it did.
+template <class Do>
+bool any_cell(const NearMesh& m, Cell lo, Cell hi, Do&& act) {
+    for (std::size_t a = 0; a < 3; ++a) {
+        lo[a] = std::max(lo[a], 1u);
+        hi[a] = std::min(hi[a], m.cell_count[a]);
+    }
+    for (uint32_t k = lo[2]; k <= hi[2]; ++k)
+        for (uint32_t j = lo[1]; j <= hi[1]; ++j) {
+            const uint64_t row = (uint64_t{k - 1} * m.cell_count[1] + (j - 1)) * m.cell_count[0];
+            for (uint32_t i = lo[0]; i <= hi[0]; ++i)
+                if (act(row + i - 1)) return true;
+        }
+    return false;
+}
+
+bool is_marked(const NearMesh& m, uint64_t bit) {
+    return m.cells[bit >> 6] >> (bit & 63) & 1;
+}
+
+/// Cells packed into one number, ten bits each.
+uint32_t pack(const Cell& c) {
+    return c[0] | c[1] << 10 | c[2] << 20;
+}
+
+bool meets_marked(const NearMesh& m, const std::array<uint32_t, 4>& packed) {
+    Cell lo, hi;
+    if (packed[0] == packed[1] && packed[0] == packed[2] && packed[0] == packed[3]) {
+        lo = {packed[0] & 1023, packed[0] >> 10 & 1023, packed[0] >> 20};
+        const bool within =
+            lo[0] - 1 < m.cell_count[0] && lo[1] - 1 < m.cell_count[1] && lo[2] - 1 < m.cell_count[2];
+        return within && any_cell(m, lo, lo, [&](uint64_t bit) { return is_marked(m, bit); });
+    }
+    for (uint32_t a = 0; a < 3; ++a) {
+        std::array<uint32_t, 4> c;
+        for (std::size_t k = 0; k < 4; ++k)
+            c[k] = packed[k] >> 10 * a & 1023;
+        lo[a] = std::min(std::min(c[0], c[1]), std::min(c[2], c[3]));
+        hi[a] = std::max(std::max(c[0], c[1]), std::max(c[2], c[3]));
+    }
+    return any_cell(m, lo, hi, [&](uint64_t bit) { return is_marked(m, bit); });
+}
+
+/// Grid over the points and their reach, cells within reach of a point marked.
+void mark_cells(NearMesh& m, std::span<const Vec3> points, double reach) {
+    BoundingBox box;
+    for (const Vec3& p : points)
+        box.add(p);
+    const Vec3 r{reach, reach, reach};
+    const Vec3 lo = box.lo - r, size = box.hi - box.lo + 2 * r;
+    double longest = std::max({size.x, size.y, size.z});
+    if (!(longest > 0)) longest = 1;
+    constexpr double most_cells = 1 << 22;
+    double c = std::max(reach / 2, longest / 512);
+    const auto count = [](double length, double step) { return static_cast<uint32_t>(length / step) + 1; };
+    while (static_cast<double>(count(size.x, c)) * count(size.y, c) * count(size.z, c) > most_cells)
+        c *= 1.25;
+    m.cells_min = lo;
+    m.cell_size = c;
+    m.cell_count = {count(size.x, c), count(size.y, c), count(size.z, c)};
+    m.cells.assign((uint64_t{m.cell_count[0]} * m.cell_count[1] * m.cell_count[2] + 63) / 64, 0);
+    Cell last_lo{}, last_hi{};
+    for (const Vec3& p : points) {
+        const Cell from = cell_of(m, p - r), to = cell_of(m, p + r);
+        if (from == last_lo && to == last_hi) continue;
+        last_lo = from, last_hi = to;
+        any_cell(m, from, to, [&](uint64_t bit) {
+            m.cells[bit >> 6] |= uint64_t{1} << (bit & 63);
+            return false;
+        });
+    }
+}
+
+} // namespace
+
+bool NearMesh::covers(Vec3 lo, Vec3 hi) const {
+    if (cells.empty()) return true;
+    lo = {std::max(lo.x, surface_min.x), std::max(lo.y, surface_min.y), std::max(lo.z, surface_min.z)};
+    hi = {std::min(hi.x, surface_max.x), std::min(hi.y, surface_max.y), std::min(hi.z, surface_max.z)};
+    if (lo.x > hi.x || lo.y > hi.y || lo.z > hi.z) return true;
+    const Cell from = cell_of(*this, lo), to = cell_of(*this, hi);
+    for (std::size_t a = 0; a < 3; ++a)
+        if (from[a] < 1 || to[a] > cell_count[a]) return false;
+    return !any_cell(*this, from, to, [&](uint64_t bit) { return !is_marked(*this, bit); });
+}
+
+Corners NearMesh::corners(uint32_t number) const {
+    const SegmentNodes& n = segment[number];
+    return {x[n[0]], x[n[1]], x[n[2]], x[n[3]]};
+}
+
+NearMesh near_mesh(const SegmentMesh& mesh, std::span<const Vec3> points, double reach, unsigned threads) {
+    NearMesh m;
+    const bool whole = !(reach < infinity) || points.empty();
+    if (!whole) mark_cells(m, points, reach);
+
+    // The cell of each node, then the segments with a marked cell among those they span.
+    const std::size_t rows = mesh.x.size(), segments = mesh.segment.size();
+    constexpr std::size_t piece = 1 << 16;
+    const auto pieces = [](std::size_t count) { return (count + piece - 1) / piece; };
+    Buffer<uint32_t> cell_at(whole ? 0 : rows);
+    if (!whole)
+        parallel_for(threads, pieces(rows), [&](std::size_t p) {
+            for (std::size_t row = p * piece; row < std::min(rows, (p + 1) * piece); ++row)
+                cell_at[row] = pack(cell_of(m, mesh.x[row]));
+        });
+    std::vector<std::vector<uint32_t>> found(pieces(segments));
+    std::vector<uint8_t> used(rows, 0), near(rows, 0); // written by several threads, each time the same value
+    const auto set = [](uint8_t& flag) {
+        std::atomic_ref<uint8_t>(flag).store(1, std::memory_order_relaxed);
+    };
+    parallel_for(threads, pieces(segments), [&](std::size_t p) {
+        for (std::size_t s = p * piece; s < std::min(segments, (p + 1) * piece); ++s) {
+            const SegmentNodes n = mesh.segment[s];
+            if (n[0] >= rows || n[1] >= rows || n[2] >= rows || n[3] >= rows) continue;
+            for (const uint32_t row : n)
+                set(used[row]);
+            if (!whole && !meets_marked(m, {cell_at[n[0]], cell_at[n[1]], cell_at[n[2]], cell_at[n[3]]}))
+                continue;
+            found[p].push_back(static_cast<uint32_t>(s));
+            for (const uint32_t row : n)
+                set(near[row]);
+        }
+    });
+    std::vector<BoundingBox> boxes(pieces(rows));
+    std::vector<uint32_t> used_rows(pieces(rows), 0);
+    parallel_for(threads, pieces(rows), [&](std::size_t p) {
+        BoundingBox box;
+        for (std::size_t row = p * piece; row < std::min(rows, (p + 1) * piece); ++row)
+            if (used[row]) box.add(mesh.x[row]), ++used_rows[p];
+        boxes[p] = box;
+    });
+    BoundingBox all;
+    for (const BoundingBox& b : boxes)
+        if (!b.empty()) all.add(b);
+    if (!all.empty()) m.surface_min = all.lo, m.surface_max = all.hi;
+    for (const uint32_t count : used_rows)
+        m.surface_nodes += count;
+
+    for (const auto& f : found)
+        m.segment_index.insert(m.segment_index.end(), f.begin(), f.end());
+    if (mesh.storage_key) {
+        std::vector<std::pair<uint64_t, uint32_t>> by_key;
+        by_key.reserve(m.segment_index.size());
+        for (const uint32_t s : m.segment_index)
+            by_key.emplace_back(mesh.storage_key(s), s);
+        std::sort(by_key.begin(), by_key.end());
+        for (std::size_t k = 0; k < by_key.size(); ++k)
+            m.segment_index[k] = by_key[k].second;
+    }
+
+    for (uint32_t row = 0; row < rows; ++row)
+        if (near[row]) m.node_row.push_back(row);
+    const auto by_id = [&](uint32_t a, uint32_t b) { return mesh.node_id[a] < mesh.node_id[b]; };
+    if (!std::is_sorted(m.node_row.begin(), m.node_row.end(), by_id))
+        std::sort(m.node_row.begin(), m.node_row.end(), by_id);
+    Buffer<uint32_t> local(rows);
+    for (uint32_t i = 0; i < m.node_row.size(); ++i) {
+        local[m.node_row[i]] = i;
+        m.node_id.push_back(mesh.node_id[m.node_row[i]]);
+        m.x.push_back(mesh.x[m.node_row[i]]);
+    }
+    m.segment.reserve(m.segment_index.size());
+    m.around_begin.assign(m.node_row.size() + 1, 0);
+    for (const uint32_t s : m.segment_index) {
+        SegmentNodes n = mesh.segment[s];
+        for (uint32_t& row : n)
+            row = local[row];
+        m.segment.push_back(mesh.turn && mesh.turn(s) ? turned(n) : n);
+    }
+
+    // Segments around nodes, ascending: a node that a segment repeats has it once.
+    const auto distinct = [](const SegmentNodes& n, std::size_t k) {
+        for (std::size_t e = 0; e < k; ++e)
+            if (n[e] == n[k]) return false;
+        return true;
+    };
+    for (const SegmentNodes& n : m.segment)
+        for (std::size_t k = 0; k < 4; ++k)
+            if (distinct(n, k)) ++m.around_begin[n[k] + 1];
+    for (std::size_t i = 1; i < m.around_begin.size(); ++i)
+        m.around_begin[i] += m.around_begin[i - 1];
+    m.around.resize(m.around_begin.back());
+    std::vector<uint32_t> next(m.around_begin.begin(), m.around_begin.end() - 1);
+    for (uint32_t s = 0; s < m.segment.size(); ++s)
+        for (std::size_t k = 0; k < 4; ++k)
+            if (distinct(m.segment[s], k)) m.around[next[m.segment[s][k]]++] = s;
+    if (!whole) {
+        m.complete.resize(m.x.size());
+        for (uint32_t i = 0; i < m.x.size(); ++i)
+            m.complete[i] = m.covers(m.x[i], m.x[i]);
+    }
+    return m;
+}
+
+double first_reach(const SegmentMesh& mesh) {
+    constexpr std::size_t samples = 256;
+    double sum = 0;
+    std::size_t count = 0;
+    const std::size_t stride = std::max<std::size_t>(mesh.segment.size() / samples, 1);
+    for (std::size_t s = 0; s < mesh.segment.size(); s += stride) {
+        const SegmentNodes n = mesh.segment[s];
+        if (std::any_of(n.begin(), n.end(), [&](uint32_t row) { return row >= mesh.x.size(); })) continue;
+        sum += distance(mesh.x[n[0]], mesh.x[n[2]]);
+        ++count;
+    }
+    return count > 0 ? 3 * sum / static_cast<double>(count) : 1;
+}
+
+double next_reach(const NearMesh& part, std::span<const Vec3> points, double wanted) {
+    BoundingBox box;
+    for (const Vec3& p : points) {
+        box.add(p);
+        const auto gap = [](double lo, double hi, double at) { return std::max({lo - at, at - hi, 0.0}); };
+        const Vec3 away{gap(part.surface_min.x, part.surface_max.x, p.x),
+                        gap(part.surface_min.y, part.surface_max.y, p.y),
+                        gap(part.surface_min.z, part.surface_max.z, p.z)};
+        wanted = std::max(wanted, 1.25 * norm(away));
+    }
+    box.add(part.surface_min), box.add(part.surface_max);
+    return wanted < norm(box.hi - box.lo) ? wanted : whole_surface;
+}
+
+} // namespace drawbead
