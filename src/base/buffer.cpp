@@ -7,14 +7,15 @@ namespace drawbead {
 
 namespace {
 constexpr std::size_t huge_page = std::size_t{2} << 20;
+constexpr std::size_t whole_pages(std::size_t bytes) { return (bytes + huge_page - 1) / huge_page * huge_page; }
 }
 
 void* allocate_pages(std::size_t bytes) {
     if (bytes == 0) return nullptr;
     if (bytes < huge_page) return ::operator new(bytes);
-    void* memory = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    void* memory = mmap(nullptr, whole_pages(bytes), PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (memory == MAP_FAILED) throw std::bad_alloc();
-    madvise(memory, bytes, MADV_HUGEPAGE);
+    madvise(memory, whole_pages(bytes), MADV_HUGEPAGE);
     return memory;
 }
 
@@ -24,7 +25,7 @@ void free_pages(void* memory, std::size_t bytes) noexcept {
         ::operator delete(memory);
         return;
     }
-    munmap(memory, bytes);
+    munmap(memory, whole_pages(bytes));
 }
 
 } // namespace drawbead

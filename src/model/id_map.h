@@ -25,6 +25,14 @@ public:
         if (form_ == Form::dense) return place < count_ ? table_[place] : none;
         return form_ == Form::paged ? paged_row(place) : hashed_row(id);
     }
+    /// Asks for the memory that row(id) will read, so that many look-ups wait together.
+    void prefetch(uint32_t id) const {
+        const uint32_t place = id - first_;
+        if (form_ == Form::dense && place < count_)
+            __builtin_prefetch(&table_[place]);
+        else if (form_ == Form::paged && place < count_ && pages_[place >> page_bits] != none)
+            __builtin_prefetch(&table_[std::size_t{pages_[place >> page_bits]} * page_size + place % page_size]);
+    }
     /// Whether row(id) == id - first for every id in the table.
     bool consecutive() const { return form_ == Form::consecutive; }
     /// Rows whose id another, earlier row has too, ascending.

@@ -468,6 +468,12 @@ private:
 
     /// Stores consecutive plain lines, the first of which is at `from`.
     void store(const IdRows& ids, const char* from) {
+        const IdMap& map = context_.nodes.map;
+        if (!map.consecutive() && (rows_.shell || rows_.solid)) {
+            for (std::size_t i = 0; i < ids.count; ++i)
+                for (uint32_t n = 1; n < ids.cells; ++n)
+                    map.prefetch(static_cast<uint32_t>(ids.values[i * ids.cells + n] + source_.offsets.node));
+        }
         for (std::size_t i = 0; i < ids.count; ++i) {
             const uint32_t* const cell = ids.values + i * ids.cells;
             const int64_t id = cell[0] + source_.offsets.element;
@@ -831,10 +837,16 @@ void finish_table(const Context& context, Plan& plan, Target target, unsigned th
     place_rows(plan, target, table.pieces);
     table.ranges = ranges_of(plan, target);
     if constexpr (std::is_same_v<Table, ShellTable>) {
+        std::size_t given = 0;
         for (const Piece& piece : plan.pieces)
-            if (plan.target(piece) == target)
-                for (const auto& [row, thickness] : piece.thickness)
-                    table.thickness.emplace_back(row + static_cast<uint32_t>(piece.place), thickness);
+            if (plan.target(piece) == target) given += piece.thickness.size();
+        table.thickness.reserve(given);
+        for (Piece& piece : plan.pieces) {
+            if (plan.target(piece) != target) continue;
+            for (const auto& [row, thickness] : piece.thickness)
+                table.thickness.emplace_back(row + static_cast<uint32_t>(piece.place), thickness);
+            piece.thickness = {};
+        }
     }
     if (!context.request.element_ids) return;
     table.map = IdMap(table.id.span(), threads);
