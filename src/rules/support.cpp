@@ -113,6 +113,9 @@ CardLines card_lines(const Deck& deck, const Drawbead& bead) {
     cards.missing = missing_of(texts, layout);
     cards.shifted = texts.size() > 4 && !looks_like_card_1(texts[1]) && looks_like_card_1(texts[2]);
     if (cards.shifted) cards.missing = CardLines::Missing::nothing;
+    for (std::size_t i = 1; i < texts.size() && i <= 3; ++i)
+        cards.fault[i - 1] = i == 1 ? column_fault(texts[i], columns_of_ten, card_width)
+                                    : column_fault(texts[i], columns_of_twenty, card_width);
     return cards;
 }
 

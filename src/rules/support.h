@@ -1,6 +1,7 @@
 #pragma once
 // What the rules about cards, references and parameters share.
 #include "rules/rule.h"
+#include "rules/syn/columns.h"
 
 #include <array>
 #include <string>
@@ -27,11 +28,16 @@ struct CardLines {
     Missing missing = Missing::nothing;
     bool shifted = false; ///< there is a line too many before the first card
 
-    /// Whether the values that the solver reads are those that were meant; other rules keep quiet otherwise.
-    bool usable() const {
+    /// Text that does not fit its columns, of cards 1, 2 and 3.
+    std::array<std::optional<ColumnFault>, 3> fault;
+
+    /// Whether each card stands on its line.
+    bool complete() const {
         return !shifted &&
                (missing == Missing::nothing || missing == Missing::card_3 || missing == Missing::blank_card);
     }
+    /// Whether the values that the solver reads are those that were meant; other rules keep quiet otherwise.
+    bool usable() const { return complete() && !fault[0] && !fault[1] && !fault[2]; }
     bool has_card(std::size_t number) const { return lines.size() > number; }
 };
 CardLines card_lines(const Deck&, const Drawbead&);

@@ -1,17 +1,11 @@
 #include "rules/support.h"
-#include "rules/syn/columns.h"
 #include "rules/text.h"
-
-#include <array>
 
 namespace drawbead {
 
 namespace {
 
 constexpr int first_layout_of_tens = 51;
-constexpr uint32_t width = 100;
-constexpr std::array<uint32_t, 10> tens{10, 20, 30, 40, 50, 60, 70, 80, 90, 100};
-constexpr std::array<uint32_t, 5> twenties{20, 40, 60, 80, 100};
 
 struct Fault {
     ColumnFault what;
@@ -33,7 +27,7 @@ std::string explain(const RuleContext& context, const Fault& fault) {
     case ColumnFault::Kind::decimal_comma:
         return "the comma in " + text + " separates fields instead of decimals";
     case ColumnFault::Kind::over_width:
-        return text + " stands behind column " + std::to_string(width) + ", and is not read";
+        return text + " stands behind column " + std::to_string(card_width) + ", and is not read";
     }
     return {};
 }
@@ -77,7 +71,8 @@ void check_list(const RuleContext& context, const std::string& where, const Bloc
     Span line;
     lines.next(line);
     while (lines.next(line))
-        if (const auto what = column_fault(lines.text(line), tens, width)) faults.push_back({*what, line});
+        if (const auto what = column_fault(lines.text(line), columns_of_ten, card_width))
+            faults.push_back({*what, line});
     report(context, where, std::nullopt, faults, sink);
 }
 
@@ -91,17 +86,12 @@ bool is_list(std::string_view type) {
 
 void check(const RuleContext& context, FindingSink& sink) {
     for (const Drawbead& bead : context.model.drawbeads()) {
-        if (scope_of(context.deck, bead).layout < first_layout_of_tens) continue;
         const CardLines cards = card_lines(context.deck, bead);
-        if (!cards.usable()) continue;
-        for (std::size_t i = 1; i < cards.lines.size() && i <= 3; ++i) {
-            const Span& line = cards.lines[i];
-            const std::string_view text = context.deck.text(line);
-            const auto what = i == 1 ? column_fault(text, tens, width) : column_fault(text, twenties, width);
-            if (!what) continue;
-            report(context, "card " + std::to_string(i) + " of " + bead_name(bead), bead.id, {{*what, line}},
-                   sink);
-        }
+        if (!cards.complete()) continue;
+        for (std::size_t i = 0; i < cards.fault.size(); ++i)
+            if (cards.fault[i])
+                report(context, "card " + std::to_string(i + 1) + " of " + bead_name(bead), bead.id,
+                       {{*cards.fault[i], cards.lines[i + 1]}}, sink);
     }
     const auto blocks = context.deck.blocks();
     for (const NodeGroup& group : context.model.groups())

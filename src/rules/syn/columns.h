@@ -1,5 +1,6 @@
 #pragma once
 // Where the text of a fixed-format line does not fit its columns.
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -19,6 +20,11 @@ struct ColumnFault {
     uint32_t begin = 0, end = 0; ///< bytes of the line, from 0
     uint32_t cell = 0;           ///< first column of the cell that it is about, from 1
 };
+
+/// Last columns of whole numbers and of reals on a card, from layout 51 on, and the width of a card.
+inline constexpr std::array<uint32_t, 10> columns_of_ten{10, 20, 30, 40, 50, 60, 70, 80, 90, 100};
+inline constexpr std::array<uint32_t, 5> columns_of_twenty{20, 40, 60, 80, 100};
+inline constexpr uint32_t card_width = 100;
 
 /// The first fault of a line, if any. `ends`: last column of each cell, ascending; blank ones count as cells.
 /// `width`: columns that are read at all. Numbers that touch because a cell is full are as they should be.
