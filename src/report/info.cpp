@@ -4,6 +4,8 @@
 #include "report/table.h"
 #include "report/text.h"
 
+#include <charconv>
+
 namespace drawbead {
 
 namespace {
@@ -17,7 +19,9 @@ std::string unit_text(const std::string& mass, const std::string& length, const 
 }
 
 std::string length_text(double length, const std::string& unit) {
-    std::string text = json_number(length);
+    char digits[32];
+    const auto end = std::to_chars(digits, digits + sizeof digits, length, std::chars_format::general, 6);
+    std::string text(digits, end.ptr);
     if (!unit.empty()) text += ' ' + terminal_safe(unit);
     return text;
 }

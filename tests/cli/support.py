@@ -48,7 +48,7 @@ blank
          1
 /INTER/TYPE8/7
 bead
-         {group}         1         2
+         {group}         1                   2
                 50.0                20.0                 2.0                 0.0                 0.0
                  0.0                 0.0
 /END

@@ -23,9 +23,9 @@ class ExitStatus(CommandLineTest):
             (["bad_0000.rad", "--fail-on", "never"], 0),
             (["bad_0000.rad", "--fail-on=info"], 1),
             (["bad_0000.rad", "--ignore", "ALL"], 0),
-            (["bad_0000.rad", "--select", "LIN"], 0),
-            (["bad_0000.rad", "--select", "LIN,ref001"], 1),
-            (["bad_0000.rad", "--select", "LIN", "--select", "node-group-undefined"], 1),
+            (["bad_0000.rad", "--select", "PAR"], 0),
+            (["bad_0000.rad", "--select", "par,ref001"], 1),
+            (["bad_0000.rad", "--select", "PAR", "--select", "node-group-undefined"], 1),
             (["good_0000.rad", "--fail-on", "error"], 0),
             (["good_0000.rad", "bad_0000.rad"], 1),
             (["bad_0000.rad", "lost_0000.rad"], 2),
@@ -64,7 +64,7 @@ class WrongInput(CommandLineTest):
         (self.folder / "hollow").mkdir()
         self.assertIn("empty_0000.rad: error: the file is empty", self.failure("empty_0000.rad"))
         self.assertIn("binary_0000.rad: error: the file is binary", self.failure("binary_0000.rad"))
-        self.assertIn("prose_0000.rad: error: ", self.failure("prose_0000.rad"))
+        self.assertIn("prose_0000.rad:1:1: error: no /BEGIN keyword", self.failure("prose_0000.rad"))
         self.assertEqual(self.failure("deks_0000.rad"),
                          "deks_0000.rad: error: no such file or folder; did you mean 'decks_0000.rad'?\n")
         self.assertEqual(self.failure("hollow"),
@@ -252,7 +252,7 @@ class Usage(CommandLineTest):
                                 "check", "--fail-on", "x", "y")
         self.assert_usage_error("no rule or family 'REF0001'; did you mean 'REF001'?", "check", "--select", "REF0001", "x")
         self.assert_usage_error("no rule or family 'nonsense'; 'drawbead rules' lists all",
-                                "check", "--ignore", "LIN,nonsense", "x")
+                                "check", "--ignore", "PAR,nonsense", "x")
         self.assert_usage_error("no rule or family ''; 'drawbead rules' lists all", "check", "--select", "", "x")
         self.assert_usage_error("-j needs a number of threads, not '-1'; please give 0 (all cores) to 1024",
                                 "check", "--threads=-1", "x")

@@ -72,7 +72,7 @@ class Rules(CommandLineTest):
             self.assertEqual(self.run_tool("explain", rule["code"].lower())[1], page)
 
     def test_unknown(self):
-        self.assert_usage_error("no rule 'SRF01'; did you mean 'SRF001'?", "explain", "SRF01")
+        self.assert_usage_error("no rule 'REF01'; did you mean 'REF001'?", "explain", "REF01")
         self.assert_usage_error("no rule 'nonsense'; 'drawbead rules' lists all", "explain", "nonsense")
 
 

@@ -64,7 +64,7 @@ inline Report example_report() {
     hood.info.shells3 = 12;
     hood.info.solids = 1;
     hood.info.parts = 4;
-    hood.info.interfaces = {{11, "bead \"A\"", 42, 9800, 205.5}, {12, "", 7, 9800, 0.1}};
+    hood.info.interfaces = {{11, "bead \"A\"", 42, 9800, 205.5}, {12, "", 7, 9800, 1.0 / 3.0}};
     hood.info.keywords = {{"/INTER/TYPE8", 2}, {"/NODE", 1}};
     StarterMessages starter;
     starter.messages = {346, 1040};
