@@ -1,9 +1,208 @@
 #include "rules/analysis.h"
 
+#include "base/parallel.h"
+#include "geometry/segment_shape.h"
+
+#include <algorithm>
+#include <cmath>
+
 namespace drawbead {
 
-Analysis analyse(const Deck&, const Model&, Needs, unsigned) {
-    return {};
+namespace {
+
+static_assert(sizeof(NodeRow) == sizeof(uint32_t) && offsetof(Segment, n) == 0,
+              "segments are seen through SegmentArray");
+
+Vec3 centre_of(const Model& model, uint32_t solid) {
+    Vec3 sum;
+    double count = 0;
+    for (const NodeRow row : model.solids().nodes[solid])
+        if (row != no_node) {
+            sum += model.nodes()[row];
+            ++count;
+        }
+    return count > 0 ? sum / count : sum;
+}
+
+bool looks_inward(const Model& model, const Segment& s) {
+    if (!s.solid_backed || s.kind != ElementKind::solid) return false;
+    Corners c;
+    for (std::size_t k = 0; k < 4; ++k)
+        c[k] = model.nodes()[s.n[k]];
+    return !faces_away(c, centre_of(model, s.element));
+}
+
+/// The bead as its list says: line, limits, totals.
+BeadAnalysis analyse_line(const Model& model, const Drawbead& bead) {
+    BeadAnalysis a;
+    a.bead = &bead;
+    if (bead.group) a.group = &model.groups()[*bead.group];
+    if (bead.surface) a.surface = &model.surfaces()[*bead.surface];
+    if (!a.group) return a;
+    a.order_is_the_authors = a.group->order == NodeGroup::Order::unsorted;
+    const bool positions = model.nodes().x.size() == model.nodes().size();
+    if (!positions) return a;
+    for (const NodeRow row : a.group->nodes)
+        a.x.push_back(model.nodes()[row]);
+    a.line = bead_line(a.x);
+    for (std::size_t i = 0; i < a.x.size(); ++i) {
+        a.fn.push_back(normal_limit_along(bead.fn_first, bead.fn_last, a.line.s[i], a.line.length));
+        a.ft.push_back(limit_along(bead.ft_first, bead.ft_last, a.line.s[i], a.line.length));
+        a.fn_total += a.fn_force(i);
+        a.ft_total += a.ft_force(i);
+    }
+    return a;
+}
+
+void check_list(BeadAnalysis& a) {
+    std::vector<uint32_t> node;
+    std::vector<double> element;
+    for (const NodeRow row : a.group->nodes)
+        node.push_back(index(row));
+    for (const BeadHit& h : a.hit)
+        element.push_back(h.element);
+    a.check = check_line(a.x, node, element);
+}
+
+/// Largest of some segments, evenly picked: how far the zone of the beads may reach, to begin with.
+double typical_element(const SegmentMesh& mesh) {
+    constexpr std::size_t samples = 256;
+    const std::size_t step = std::max<std::size_t>(1, mesh.segment.size() / samples);
+    double largest = 0;
+    for (std::size_t i = 0; i < mesh.segment.size(); i += step) {
+        const SegmentNodes n = mesh.segment[i];
+        if (std::max({n[0], n[1], n[2], n[3]}) >= mesh.x.size()) continue;
+        largest = std::max(largest, area({mesh.x[n[0]], mesh.x[n[1]], mesh.x[n[2]], mesh.x[n[3]]}));
+    }
+    return std::sqrt(largest);
+}
+
+constexpr SideLimits side_limits{};
+
+bool covers_zone(const NearMesh& near, const std::vector<BeadAnalysis*>& beads) {
+    for (const BeadAnalysis* a : beads)
+        for (const BeadHit& h : a->hit) {
+            const double r = side_limits.reach * h.element;
+            const Vec3 foot = h.closest.foot.point;
+            if (!near.covers(foot - Vec3{r, r, r}, foot + Vec3{r, r, r})) return false;
+        }
+    return true;
+}
+
+/// Exact closest segments of all beads of a surface, and the part of the surface around them.
+void find_closest(const Model& model, const Surface& surface, const std::vector<BeadAnalysis*>& beads,
+                  SurfaceAnalysis& out, bool sides, unsigned threads) {
+    std::vector<Vec3> points;
+    for (const BeadAnalysis* a : beads)
+        points.insert(points.end(), a->x.begin(), a->x.end());
+    const SegmentMesh mesh = segment_mesh(model, surface);
+    if (points.empty() || mesh.segment.size() == 0) return;
+
+    double travel = sides ? (side_limits.reach + 1) * typical_element(mesh) : 0;
+    for (int attempt = 0; attempt < 2; ++attempt) {
+        out.near = mesh_for_closest(mesh, points, travel, threads);
+        if (out.near.segment.empty()) return;
+        const ClosestSegment closest(out.near);
+        for (BeadAnalysis* a : beads) {
+            a->hit.assign(a->x.size(), {});
+            constexpr std::size_t chunk = 128;
+            parallel_for(threads, (a->x.size() + chunk - 1) / chunk, [&](std::size_t piece) {
+                const std::size_t end = std::min(a->x.size(), (piece + 1) * chunk);
+                for (std::size_t i = piece * chunk; i < end; ++i) {
+                    BeadHit& h = a->hit[i];
+                    h.closest = closest.find(a->x[i]);
+                    if (!h.closest.found()) continue;
+                    h.segment = out.near.segment_index[h.closest.segment];
+                    h.element = std::sqrt(area(out.near.corners(h.closest.segment)));
+                }
+            });
+        }
+        if (!sides || covers_zone(out.near, beads)) return;
+        double largest = 0;
+        for (const BeadAnalysis* a : beads)
+            for (const BeadHit& h : a->hit)
+                largest = std::max(largest, h.element);
+        travel = (side_limits.reach + 1) * largest;
+    }
+}
+
+/// Neighbours along the bead: by the list, or by the walk where the list is none; gaps left out.
+std::vector<std::pair<uint32_t, uint32_t>> hops_of(const BeadAnalysis& a) {
+    std::vector<std::pair<uint32_t, uint32_t>> hops;
+    const auto add_pieces = [&](const std::vector<uint32_t>& starts, std::size_t count, auto&& position) {
+        for (std::size_t p = 0; p < starts.size(); ++p) {
+            const std::size_t end = p + 1 < starts.size() ? starts[p + 1] : count;
+            for (std::size_t i = starts[p] + 1; i < end; ++i)
+                hops.emplace_back(position(i - 1), position(i));
+        }
+    };
+    const LineWalk& walk = a.check.walk;
+    if (!a.order_is_the_authors || a.check.scrambled)
+        add_pieces(walk.pieces, walk.order.size(), [&](std::size_t i) { return walk.order[i]; });
+    else
+        add_pieces(a.check.piece_starts(), a.x.size(),
+                   [](std::size_t i) { return static_cast<uint32_t>(i); });
+    return hops;
+}
+
+void judge(const Surface& surface, const NearMesh& near, BeadAnalysis& a) {
+    if (a.hit.empty() || near.segment.empty()) return;
+    constexpr double beside = 0.05; // of the segment, as for the manual law
+    std::vector<BeadFoot> feet;
+    for (std::size_t i = 0; i < a.hit.size(); ++i) {
+        const BeadHit& h = a.hit[i];
+        const Segment& s = surface.segments[h.segment];
+        feet.push_back({h.closest.segment, a.x[i], h.closest.foot.point, h.closest.d, h.element,
+                        h.closest.on_free_edge && h.closest.offset > beside,
+                        s.solid_backed && s.kind != ElementKind::solid});
+    }
+    std::vector<uint8_t> solid_backed(near.segment.size());
+    for (std::size_t i = 0; i < near.segment.size(); ++i)
+        solid_backed[i] = surface.segments[near.segment_index[i]].solid_backed;
+    a.side = judge_side(near, feet, hops_of(a), solid_backed, side_limits);
+}
+
+} // namespace
+
+SegmentMesh segment_mesh(const Model& model, const Surface& surface) {
+    SegmentMesh mesh;
+    mesh.segment = SegmentArray(surface.segments.data(), surface.segments.size(), sizeof(Segment));
+    mesh.x = model.nodes().x.span();
+    mesh.node_id = model.nodes().id.span();
+    if (!surface.in_storage_order)
+        mesh.storage_key = [&](uint32_t segment) { return model.storage_key(surface, segment); };
+    if (model.solids().size() != 0)
+        mesh.turn = [&](uint32_t segment) { return looks_inward(model, surface.segments[segment]); };
+    return mesh;
+}
+
+Analysis analyse(const Deck&, const Model& model, Needs needs, unsigned threads) {
+    Analysis out;
+    out.beads.reserve(model.drawbeads().size());
+    out.surfaces.resize(model.surfaces().size());
+    const bool lines = has(needs, analysis_lines);
+    for (const Drawbead& bead : model.drawbeads())
+        out.beads.push_back(analyse_line(model, bead));
+
+    for (std::size_t s = 0; s < out.surfaces.size(); ++s) {
+        const Surface& surface = model.surfaces()[s];
+        std::vector<BeadAnalysis*> beads;
+        for (BeadAnalysis& a : out.beads)
+            if (a.surface == &surface && !a.x.empty()) beads.push_back(&a);
+        if (has(needs, analysis_closest))
+            find_closest(model, surface, beads, out.surfaces[s], has(needs, analysis_sides), threads);
+        if (has(needs, analysis_clashes))
+            out.surfaces[s].clashes = edge_clashes(surface.segments.span(), model.nodes().size(), threads);
+    }
+    if (!lines) return out;
+    parallel_for(threads, out.beads.size(), [&](std::size_t i) {
+        BeadAnalysis& a = out.beads[i];
+        if (a.x.empty()) return;
+        check_list(a);
+        if (has(needs, analysis_sides) && a.surface)
+            judge(*a.surface, out.surfaces[*a.bead->surface].near, a);
+    });
+    return out;
 }
 
 } // namespace drawbead

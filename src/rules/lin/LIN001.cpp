@@ -1,0 +1,72 @@
+#include "rules/lin/bead_report.h"
+#include "rules/support.h"
+#include "rules/text.h"
+
+#include <algorithm>
+
+namespace drawbead {
+
+namespace {
+
+/// The list cut at its gaps.
+std::vector<std::vector<uint32_t>> pieces_of(const BeadAnalysis& a) {
+    std::vector<std::vector<uint32_t>> pieces;
+    const std::vector<uint32_t> starts = a.check.piece_starts();
+    for (std::size_t p = 0; p < starts.size(); ++p) {
+        const uint32_t end = p + 1 < starts.size() ? starts[p + 1] : static_cast<uint32_t>(a.x.size());
+        pieces.emplace_back();
+        for (uint32_t i = starts[p]; i < end; ++i)
+            pieces.back().push_back(i);
+    }
+    return pieces;
+}
+
+void check(const RuleContext& context, FindingSink& sink) {
+    for (const BeadAnalysis* a : beads_with_order(context)) {
+        const std::vector<LineHop>& gaps = a->check.gaps;
+        if (gaps.empty()) continue;
+        const LineHop& longest = *std::max_element(
+            gaps.begin(), gaps.end(), [](const LineHop& p, const LineHop& q) { return p.length < q.length; });
+        const Forces apart = forces_of_pieces(*a, pieces_of(*a));
+        const double fn = a->fn_total - apart.fn, ft = a->ft_total - apart.ft;
+        const UnitSystem& units = context.deck.work_units();
+
+        const std::vector<Span> places = list_places(context, *a);
+        Draft draft = draft_at_position(context, *a, places, longest.to);
+        std::string more;
+        if (gaps.size() > 1) more = " (the longest of " + std::to_string(gaps.size()) + " gaps)";
+        draft.message = "step of " + quantity(longest.length, units, length_dimension) + " from node " +
+                        std::to_string(node_id(context, *a, longest.from)) + " to node " +
+                        std::to_string(node_id(context, *a, longest.to)) + " of " + bead_name(*a->bead) +
+                        more + ", " + number(longest.length / longest.usual, 3) + " times the " +
+                        quantity(longest.usual, units, length_dimension) +
+                        " around it; the nodes at both ends carry the gap as bead length: " +
+                        cost_text(context, *a, fn, ft);
+        for (const LineHop& gap : gaps) {
+            if (&gap != &longest) draft.related.push_back(places[gap.to]);
+            draft.entities.nodes.add(node_id(context, *a, gap.from));
+            draft.entities.nodes.add(node_id(context, *a, gap.to));
+        }
+        draft.measured.push_back({"longest step", longest.length, unit_name(units, length_dimension)});
+        draft.measured.push_back({"usual step", longest.usual, unit_name(units, length_dimension)});
+        measure_cost(context, *a, fn, ft, draft);
+        draft.help = "give each of the " + std::to_string(gaps.size() + 1) +
+                     " pieces an interface and a group of its own";
+        const bool constant = !a->bead->fn_varies() && !a->bead->ft_varies();
+        draft.fixes.push_back({"one interface and group per piece",
+                               constant ? FixAvailability::safe : FixAvailability::unsafe});
+        sink.add(std::move(draft));
+    }
+}
+
+} // namespace
+
+extern const Rule LIN001{{.code = "LIN001",
+                          .name = "line-has-gap",
+                          .summary = "a step along the bead is much longer than its neighbours",
+                          .severity = Severity::error,
+                          .fix = FixAvailability::sometimes_safe},
+                         needs_closest,
+                         check};
+
+} // namespace drawbead

@@ -1,0 +1,76 @@
+#include "rules/lin/bead_report.h"
+#include "rules/support.h"
+#include "rules/text.h"
+
+#include <algorithm>
+
+namespace drawbead {
+
+namespace {
+
+/// Totals if the bead were listed in walking order.
+Forces forces_of_walk(const BeadAnalysis& a) {
+    Forces total;
+    const LineWalk& walk = a.check.walk;
+    std::vector<Vec3> x;
+    for (const uint32_t i : walk.order)
+        x.push_back(a.x[i]);
+    const BeadLine line = bead_line(x);
+    const Drawbead& b = *a.bead;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        total.fn += normal_limit_along(b.fn_first, b.fn_last, line.s[i], line.length) * line.tributary[i];
+        total.ft += limit_along(b.ft_first, b.ft_last, line.s[i], line.length) * line.tributary[i];
+    }
+    return total;
+}
+
+void check(const RuleContext& context, FindingSink& sink) {
+    for (const BeadAnalysis* a : beads_with_order(context)) {
+        if (!a->check.scrambled) continue;
+        const LineWalk& walk = a->check.walk;
+        const Forces straight = forces_of_walk(*a);
+        const double fn = a->fn_total - straight.fn, ft = a->ft_total - straight.ft;
+        const UnitSystem& units = context.deck.work_units();
+
+        // Where the list first leaves the walk.
+        std::size_t first = 1;
+        while (first + 1 < walk.order.size() && walk.order[first] == walk.order[0] + first)
+            ++first;
+        const std::vector<Span> places = list_places(context, *a);
+        Draft draft = draft_at_position(context, *a, places, std::min(first, places.size() - 1));
+        draft.message =
+            "the list of " + bead_name(*a->bead) +
+            " is not a walk along it: " + quantity(a->check.list_length, units, length_dimension) +
+            " from node to node, " + quantity(walk.length, units, length_dimension) +
+            " along the line; every node carries the wrong length: " + cost_text(context, *a, fn, ft);
+        for (std::size_t i = 0; i < a->x.size(); ++i)
+            draft.entities.nodes.add(node_id(context, *a, i));
+        draft.measured.push_back(
+            {"length of the list", a->check.list_length, unit_name(units, length_dimension)});
+        draft.measured.push_back({"length of the walk", walk.length, unit_name(units, length_dimension)});
+        measure_cost(context, *a, fn, ft, draft);
+        std::string order;
+        for (std::size_t i = 0; i < std::min<std::size_t>(walk.order.size(), 8); ++i)
+            order += (i == 0 ? "" : " ") + std::to_string(node_id(context, *a, walk.order[i]));
+        if (walk.order.size() > 8) order += " and on";
+        draft.help = "list the nodes as they stand along the bead: " + order;
+        const bool constant = !a->bead->fn_varies() && !a->bead->ft_varies();
+        const bool starts_at_end = !walk.order.empty() && (walk.order.front() == 0 || walk.order.back() == 0);
+        const bool safe = walk.unambiguous && (constant || starts_at_end);
+        draft.fixes.push_back(
+            {"list the nodes in walking order", safe ? FixAvailability::safe : FixAvailability::unsafe});
+        sink.add(std::move(draft));
+    }
+}
+
+} // namespace
+
+extern const Rule LIN002{{.code = "LIN002",
+                          .name = "line-scrambled",
+                          .summary = "the order of the list is not a walk along the bead",
+                          .severity = Severity::error,
+                          .fix = FixAvailability::sometimes_safe},
+                         needs_closest,
+                         check};
+
+} // namespace drawbead

@@ -1,0 +1,110 @@
+#include "rules/lin/bead_report.h"
+
+#include "rules/support.h"
+#include "rules/text.h"
+
+#include <cmath>
+
+namespace drawbead {
+
+std::vector<Span> list_places(const RuleContext& context, const BeadAnalysis& a) {
+    std::vector<Span> places;
+    for (const ListedNode& entry : a.group->listed)
+        if (entry.row != no_node) places.push_back(entry.place);
+    if (places.size() != a.group->nodes.size())
+        places.assign(a.group->nodes.size(), context.deck.blocks()[a.group->block].header);
+    return places;
+}
+
+int64_t node_id(const RuleContext& context, const BeadAnalysis& a, std::size_t i) {
+    return value(context.model.nodes().user_id(a.group->nodes[i]));
+}
+
+namespace {
+
+std::string one_cost(const RuleContext& context, double cost, double total, const char* limit) {
+    const std::string force = quantity(cost, context.deck.work_units(), force_dimension);
+    return (cost > 0 ? "+" : "") + force + " of " + limit + ", " + number(100 * cost / std::abs(total), 3) +
+           " % of its total";
+}
+
+} // namespace
+
+std::string cost_text(const RuleContext& context, const BeadAnalysis& a, double fn, double ft) {
+    std::string text;
+    if (a.fn_total != 0) text = one_cost(context, fn, a.fn_total, "Fn");
+    if (a.ft_total != 0) {
+        if (!text.empty()) text += ", and ";
+        text += one_cost(context, ft, a.ft_total, "Ft");
+    }
+    return text.empty() ? "0 N, the bead has no force" : text;
+}
+
+void measure_cost(const RuleContext& context, const BeadAnalysis& a, double fn, double ft, Draft& draft) {
+    const std::string unit = unit_name(context.deck.work_units(), force_dimension);
+    draft.measured.push_back({"normal force", fn, unit});
+    draft.measured.push_back({"restraint", ft, unit});
+    if (a.fn_total != 0)
+        draft.measured.push_back({"share of normal force", 100 * fn / std::abs(a.fn_total), "%"});
+    if (a.ft_total != 0)
+        draft.measured.push_back({"share of restraint", 100 * ft / std::abs(a.ft_total), "%"});
+}
+
+Forces forces_of_pieces(const BeadAnalysis& a, const std::vector<std::vector<uint32_t>>& pieces) {
+    Forces total;
+    for (const std::vector<uint32_t>& piece : pieces) {
+        std::vector<Vec3> x;
+        for (const uint32_t i : piece)
+            x.push_back(a.x[i]);
+        const BeadLine line = bead_line(x);
+        for (std::size_t k = 0; k < piece.size(); ++k) {
+            total.fn += a.fn[piece[k]] * line.tributary[k];
+            total.ft += a.ft[piece[k]] * line.tributary[k];
+        }
+    }
+    return total;
+}
+
+Draft draft_at_position(const RuleContext&, const BeadAnalysis& a, const std::vector<Span>& places,
+                        std::size_t i) {
+    Draft draft;
+    draft.interface_id = a.bead->id;
+    draft.primary = places[i];
+    return draft;
+}
+
+std::vector<const BeadAnalysis*> beads_with_nodes(const RuleContext& context) {
+    std::vector<const BeadAnalysis*> beads;
+    for (const BeadAnalysis& a : context.analysis.beads)
+        if (!a.x.empty() && cards_usable(context, *a.bead)) beads.push_back(&a);
+    return beads;
+}
+
+std::vector<const BeadAnalysis*> beads_with_order(const RuleContext& context) {
+    std::vector<const BeadAnalysis*> beads;
+    for (const BeadAnalysis* a : beads_with_nodes(context))
+        if (a->order_is_the_authors) beads.push_back(a);
+    return beads;
+}
+
+Span segment_place(const RuleContext& context, const Surface& surface, uint32_t segment) {
+    if (segment < surface.lines.size()) return surface.lines[segment];
+    const Segment& s = surface.segments[segment];
+    if (s.kind == ElementKind::none) return context.deck.blocks()[surface.block].header;
+    return context.model.element_line(s);
+}
+
+std::string segment_name(const RuleContext& context, const Surface& surface, uint32_t segment) {
+    const Segment& s = surface.segments[segment];
+    if (s.kind == ElementKind::none) return "segment " + std::to_string(segment + 1);
+    return (s.kind == ElementKind::solid ? "solid " : "shell ") +
+           std::to_string(value(context.model.element_id(s)));
+}
+
+void add_segment(const RuleContext& context, const Surface& surface, uint32_t segment, Entities& entities) {
+    const Segment& s = surface.segments[segment];
+    entities.segments.add(segment + 1);
+    if (s.kind != ElementKind::none) entities.elements.add(value(context.model.element_id(s)));
+}
+
+} // namespace drawbead
