@@ -8,12 +8,28 @@ namespace drawbead {
 
 // The one table of rules: one line per rule, sorted by code (a test sees to it).
 #define DRAWBEAD_RULES(RULE)                                                                                 \
+    RULE(CTX001)                                                                                             \
+    RULE(LIN001)                                                                                             \
+    RULE(LIN002)                                                                                             \
+    RULE(LIN003)                                                                                             \
+    RULE(LIN004)                                                                                             \
+    RULE(LIN005)                                                                                             \
+    RULE(LIN006)                                                                                             \
+    RULE(LIN007)                                                                                             \
+    RULE(LIN008)                                                                                             \
+    RULE(LIN009)                                                                                             \
+    RULE(LIN010)                                                                                             \
+    RULE(LIN011)                                                                                             \
+    RULE(LIN012)                                                                                             \
+    RULE(LIN013)                                                                                             \
     RULE(PAR001)                                                                                             \
     RULE(PAR002)                                                                                             \
     RULE(PAR003)                                                                                             \
     RULE(PAR004)                                                                                             \
     RULE(PAR005)                                                                                             \
     RULE(PAR006)                                                                                             \
+    RULE(PAR007)                                                                                             \
+    RULE(PAR008)                                                                                             \
     RULE(PAR009)                                                                                             \
     RULE(REF001)                                                                                             \
     RULE(REF002)                                                                                             \
@@ -24,6 +40,14 @@ namespace drawbead {
     RULE(REF007)                                                                                             \
     RULE(REF008)                                                                                             \
     RULE(REF009)                                                                                             \
+    RULE(SRF001)                                                                                             \
+    RULE(SRF002)                                                                                             \
+    RULE(SRF003)                                                                                             \
+    RULE(SRF004)                                                                                             \
+    RULE(SRF005)                                                                                             \
+    RULE(SRF006)                                                                                             \
+    RULE(SRF008)                                                                                             \
+    RULE(STB006)                                                                                             \
     RULE(SYN001)                                                                                             \
     RULE(SYN002)                                                                                             \
     RULE(SYN003)                                                                                             \

@@ -1,0 +1,56 @@
+#include "rules/lin/bead_report.h"
+#include "rules/support.h"
+#include "rules/text.h"
+
+#include <algorithm>
+
+namespace drawbead {
+
+namespace {
+
+void check(const RuleContext& context, FindingSink& sink) {
+    for (const BeadAnalysis* a : beads_with_order(context)) {
+        const std::vector<LineTurn>& corners = a->check.corners;
+        if (corners.empty()) continue;
+        double fn = 0, ft = 0, lost = 0;
+        for (const LineTurn& corner : corners) {
+            fn -= a->fn[corner.at] * corner.lost;
+            ft -= a->ft[corner.at] * corner.lost;
+            lost += corner.lost;
+        }
+        const LineTurn& worst =
+            *std::max_element(corners.begin(), corners.end(),
+                              [](const LineTurn& p, const LineTurn& q) { return p.degrees < q.degrees; });
+        const std::vector<Span> places = list_places(context, *a);
+        Draft draft = draft_at_position(context, *a, places, worst.at);
+        draft.message = bead_name(*a->bead) + " turns by " + number(worst.degrees, 3) + " degrees at node " +
+                        std::to_string(node_id(context, *a, worst.at));
+        if (corners.size() > 1)
+            draft.message += " (the sharpest of " + std::to_string(corners.size()) + " corners)";
+        draft.message +=
+            "; the chord over a corner is shorter than the bead: " + cost_text(context, *a, fn, ft);
+        for (const LineTurn& corner : corners) {
+            if (&corner != &worst) draft.related.push_back(places[corner.at]);
+            draft.entities.nodes.add(node_id(context, *a, corner.at));
+        }
+        draft.measured.push_back({"turn", worst.degrees, "degrees"});
+        draft.measured.push_back(
+            {"lost length", lost, unit_name(context.deck.work_units(), length_dimension)});
+        measure_cost(context, *a, fn, ft, draft);
+        draft.help = "round the corner with more nodes, or split the bead there";
+        draft.fixes.push_back({"split at the corner, or insert nodes", FixAvailability::unsafe});
+        sink.add(std::move(draft));
+    }
+}
+
+} // namespace
+
+extern const Rule LIN005{{.code = "LIN005",
+                          .name = "sharp-corner",
+                          .summary = "the bead turns so sharply that the chords of its nodes lose length",
+                          .severity = Severity::warning,
+                          .fix = FixAvailability::unsafe},
+                         needs_closest,
+                         check};
+
+} // namespace drawbead

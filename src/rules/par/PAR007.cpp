@@ -1,0 +1,91 @@
+#include "rules/lin/bead_report.h"
+#include "rules/support.h"
+#include "rules/text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace drawbead {
+
+namespace {
+
+struct Limit {
+    const char* name;
+    double value;
+    const Cell* cell;
+};
+
+std::vector<Limit> limits_of(const Drawbead& b) {
+    const DrawbeadCells c = cells_of(b);
+    return {{"Fn", b.fn_first, &c.fn},
+            {"Ft", b.ft_first, &c.ft},
+            {"Fn_last", b.fn_last, &c.fn_last},
+            {"Ft_last", b.ft_last, &c.ft_last}};
+}
+
+/// Median of |value| over the other beads of the deck that have one; 0 when there are none.
+double usual(const std::vector<const BeadAnalysis*>& beads, const BeadAnalysis* without, bool normal) {
+    std::vector<double> values;
+    for (const BeadAnalysis* a : beads)
+        if (const double v = std::abs(normal ? a->bead->fn_first : a->bead->ft_first); a != without && v != 0)
+            values.push_back(v);
+    if (values.empty()) return 0;
+    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
+                     values.end());
+    return values[values.size() / 2];
+}
+
+/// "a thousand times" or "a million times", when the ratio is that of a wrong unit.
+const char* unit_slip(double ratio) {
+    const double decades = std::abs(std::log10(ratio));
+    if (std::abs(decades - 3) < 0.5) return "about a thousand times";
+    if (std::abs(decades - 6) < 0.5) return "about a million times";
+    return nullptr;
+}
+
+void check(const RuleContext& context, FindingSink& sink) {
+    constexpr double smallest = 0.1, largest = 5000; // N/mm
+    const UnitSystem& units = context.deck.work_units();
+    // Force per length in N/m is mass / time^2; per mm it is a thousandth.
+    const double to_n_per_mm = units.mass / (units.time * units.time) / 1000;
+    const std::vector<const BeadAnalysis*> beads = beads_with_nodes(context);
+    for (const BeadAnalysis* a : beads)
+        for (const Limit& limit : limits_of(*a->bead)) {
+            const double value = std::abs(limit.value);
+            if (value == 0) continue;
+            const double si = value * to_n_per_mm;
+            const bool normal = limit.name[1] == 'n';
+            const double others = usual(beads, a, normal);
+            const char* slip = others > 0 ? unit_slip(value / others) : nullptr;
+            const bool outside = si < smallest || si > largest;
+            if (!outside && slip == nullptr) continue;
+            Draft draft = draft_at(context, *a->bead, *limit.cell);
+            draft.discriminator = limit.name;
+            draft.message =
+                std::string(limit.name) + " of " + bead_name(*a->bead) + " is " + number(si) + " N/mm";
+            if (slip != nullptr)
+                draft.message += std::string(", ") + slip + (value > others ? " more" : " less") +
+                                 " than that of the other beads (" + number(others * to_n_per_mm) + " N/mm)";
+            else
+                draft.message += ", outside of what drawbeads reach (" + number(smallest) + " to " +
+                                 number(largest) + " N/mm)";
+            const double total = normal ? a->fn_total : a->ft_total;
+            draft.message += "; over the bead it makes " + quantity(total, units, force_dimension) +
+                             ", 100 % of its total";
+            draft.measured.push_back({limit.name, si, "N/mm"});
+            draft.measured.push_back({"total", total, unit_name(units, force_dimension)});
+            draft.help = "look at the units of the deck and of this value (force per length)";
+            sink.add(std::move(draft));
+        }
+}
+
+} // namespace
+
+extern const Rule PAR007{{.code = "PAR007",
+                          .name = "implausible-force",
+                          .summary = "Fn or Ft is far from what drawbeads reach, or from the other beads",
+                          .severity = Severity::warning},
+                         needs_lines,
+                         check};
+
+} // namespace drawbead
