@@ -43,6 +43,10 @@ blank
 /GRNOD/NODENS/1
 bead
         11        12        13
+/BCS/1
+the bead is held
+#  Tra rot   skew_ID  grnod_ID
+   111 111         0         1
 /SURF/PART/1
 blank
          1
