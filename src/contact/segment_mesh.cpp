@@ -135,7 +135,7 @@ Corners NearMesh::corners(uint32_t number) const {
 NearMesh near_mesh(const SegmentMesh& mesh, std::span<const Vec3> points, double reach, unsigned threads) {
     NearMesh m;
     const bool whole = !(reach < infinity) || points.empty();
-    if (!whole) mark_cells(m, points, reach);
+    if (!whole) mark_cells(m, points, m.reach = reach);
 
     // The cell of each node, then the segments with a marked cell among those they span.
     const std::size_t rows = mesh.x.size(), segments = mesh.segment.size();

@@ -58,6 +58,8 @@ struct SegmentMesh {
     std::function<bool(uint32_t segment)> turn;
 };
 
+inline constexpr double whole_surface = std::numeric_limits<double>::infinity();
+
 /// The part of a surface near some points, renumbered: local nodes ascend by user id and local segments by
 /// storage order, so that every tie of the solver is a comparison of local numbers.
 struct NearMesh {
@@ -71,6 +73,7 @@ struct NearMesh {
     std::vector<uint8_t> complete;       ///< by local node: all its segments are here; empty when all are
     uint32_t surface_nodes = 0;          ///< distinct nodes of the whole surface
     Vec3 surface_min, surface_max;       ///< box of the whole surface
+    double reach = whole_surface;        ///< as asked for
 
     /// Whether everything of the surface that touches this box is here.
     bool covers(Vec3 lo, Vec3 hi) const;
@@ -86,8 +89,6 @@ struct NearMesh {
     double cell_size = 0;
     std::array<uint32_t, 3> cell_count{};
 };
-
-inline constexpr double whole_surface = std::numeric_limits<double>::infinity();
 
 /// All segments that come within `reach` (along each axis) of one of the points, and more. One pass over the
 /// surface.

@@ -81,6 +81,12 @@ StartSearch::StartSearch(const NearMesh& mesh, std::span<const Vec3> bead) : mes
         }
     }
     min_ = lo;
+    part_min_ = {infinity, infinity, infinity}, part_max_ = -part_min_;
+    for (const Vec3& p : bead)
+        for (const auto axis : axes) {
+            part_min_.*axis = std::min(part_min_.*axis, p.*axis - mesh.reach);
+            part_max_.*axis = std::max(part_max_.*axis, p.*axis + mesh.reach);
+        }
     const double dx = hi.x - lo.x, dy = hi.y - lo.y, dz = hi.z - lo.z;
     extent_ = {dx, dy, dz};
     const double density = 0.75 * std::sqrt(mesh.surface_nodes / (dx * dy + dy * dz + dz * dx));
@@ -91,15 +97,20 @@ StartSearch::StartSearch(const NearMesh& mesh, std::span<const Vec3> bead) : mes
 
     const std::size_t cells = std::size_t{count_[0]} * count_[1] * count_[2];
     occupied_.assign(cells / 64 + 1, 0);
-    std::vector<uint32_t> cell(mesh.x.size());
-    for (std::size_t i = 0; i < mesh.x.size(); ++i) {
-        const Cell c = cell_of(mesh.x[i]);
-        cell[i] = ((c[2] - 1) * count_[1] + (c[1] - 1)) * count_[0] + (c[0] - 1);
-        occupied_[cell[i] / 64] |= uint64_t{1} << cell[i] % 64;
+    std::vector<uint32_t> node, cell;
+    for (uint32_t i = 0; i < mesh.x.size(); ++i) {
+        const Vec3 p = mesh.x[i];
+        if (p.x < part_min_.x || p.y < part_min_.y || p.z < part_min_.z || p.x > part_max_.x ||
+            p.y > part_max_.y || p.z > part_max_.z)
+            continue;
+        const Cell c = cell_of(p);
         for (std::size_t k = 0; k < 3; ++k) {
-            first_[k] = i == 0 ? c[k] : std::min(first_[k], c[k]);
-            last_[k] = i == 0 ? c[k] : std::max(last_[k], c[k]);
+            first_[k] = node.empty() ? c[k] : std::min(first_[k], c[k]);
+            last_[k] = node.empty() ? c[k] : std::max(last_[k], c[k]);
         }
+        node.push_back(i);
+        cell.push_back(((c[2] - 1) * count_[1] + (c[1] - 1)) * count_[0] + (c[0] - 1));
+        occupied_[cell.back() / 64] |= uint64_t{1} << cell.back() % 64;
     }
     rank_.resize(occupied_.size());
     uint32_t sum = 0;
@@ -117,9 +128,9 @@ StartSearch::StartSearch(const NearMesh& mesh, std::span<const Vec3> bead) : mes
     for (std::size_t r = 1; r < begin_.size(); ++r)
         begin_[r] += begin_[r - 1];
     std::vector<uint32_t> next(begin_.begin(), begin_.end() - 1);
-    node_.resize(mesh.x.size());
-    for (uint32_t i = 0; i < mesh.x.size(); ++i)
-        node_[next[cell[i]]++] = i;
+    node_.resize(node.size());
+    for (std::size_t i = 0; i < node.size(); ++i)
+        node_[next[cell[i]]++] = node[i];
 }
 
 StartSearch::Cell StartSearch::cell_of(Vec3 p) const {
@@ -127,15 +138,26 @@ StartSearch::Cell StartSearch::cell_of(Vec3 p) const {
             cell_number(p.z, min_.z, extent_[2], count_[2])};
 }
 
-bool StartSearch::covered(const Cell& lo, const Cell& hi) const {
-    if (mesh_.cells.empty()) return true;
+/// Whether all nodes of the surface in this box are in the cells.
+bool StartSearch::covers(Vec3 lo, Vec3 hi) const {
+    for (const auto axis : axes) {
+        lo.*axis = std::max(lo.*axis, mesh_.surface_min.*axis);
+        hi.*axis = std::min(hi.*axis, mesh_.surface_max.*axis);
+        if (lo.*axis > hi.*axis) return true;
+    }
+    for (const auto axis : axes)
+        if (lo.*axis < part_min_.*axis || hi.*axis > part_max_.*axis) return false;
+    return mesh_.covers(lo, hi);
+}
+
+bool StartSearch::covers(const Cell& lo, const Cell& hi) const {
     Vec3 from, to;
     for (std::size_t k = 0; k < 3; ++k) {
         const double width = extent_[k] / count_[k], slack = 1e-9 * extent_[k];
         from.*axes[k] = min_.*axes[k] + (lo[k] == 1 ? 0 : lo[k]) * width - slack;
         to.*axes[k] = min_.*axes[k] + (hi[k] + 1) * width + slack;
     }
-    return mesh_.covers(from, to);
+    return covers(from, to);
 }
 
 /// Nodes of the cells from lo to hi in the Starter's order: z outermost, x innermost, ascending in each cell.
@@ -197,11 +219,11 @@ std::optional<uint32_t> StartSearch::start_node(Vec3 bead) const {
         each_node(lo, hi, bead, best, take_closer);
         if (best < infinity) break;
         if (everything) return {};
-        known_empty = known_empty && covered(lo, hi);
+        known_empty = known_empty && covers(lo, hi);
     }
     const auto ball_is_covered = [&](double radius) {
         const Vec3 r{radius, radius, radius};
-        return mesh_.covers(bead - r, bead + r);
+        return covers(bead - r, bead + r);
     };
     const double found = std::sqrt(best) * (1 + 1e-9);
     if (known_empty && ball_is_covered(found)) {

@@ -49,10 +49,12 @@ private:
     std::vector<uint32_t> begin_;    ///< by rank of the occupied cell: into `node_`
     std::vector<uint32_t> node_;     ///< local nodes, ascending in each cell
 
-    Cell first_{}, last_{}; ///< range of the occupied cells
+    Cell first_{}, last_{};    ///< range of the occupied cells
+    Vec3 part_min_, part_max_; ///< nodes outside this box around the bead are left out
 
     Cell cell_of(Vec3) const;
-    bool covered(const Cell& lo, const Cell& hi) const;
+    bool covers(Vec3 lo, Vec3 hi) const;
+    bool covers(const Cell& lo, const Cell& hi) const;
     template <class Visit>
     void each_node(Cell lo, Cell hi, Vec3 from, const double& squared_bound, Visit&&) const;
 };

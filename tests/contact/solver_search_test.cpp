@@ -141,26 +141,62 @@ TEST_CASE("penetration and tributary vector") {
 
 TEST_CASE("a part of the surface gives the tracks of the whole") {
     std::mt19937 random(12);
-    for (int round = 0; round < 60; ++round) {
+    for (int round = 0; round < 200; ++round) {
         const Sheet s = random_sheet(round % 6, random);
         const NearMesh all = near_mesh(s.mesh(), {}, whole_surface);
+        const ClosestSegment closest(all);
+        std::vector<BeadInput> beads(1 + random() % 3);
+        for (BeadInput& bead : beads) {
+            bead.x = random_points(s, 1 + random() % 4, random);
+            bead.fn_first = 100, bead.depth = 5;
+        }
+        const SurfaceContact contact =
+            surface_contact(s.mesh(), beads, [](uint32_t) { return of_shell(210000, 1); }, 42000, {});
+        for (std::size_t b = 0; b < beads.size(); ++b) {
+            const std::vector<Vec3>& x = beads[b].x;
+            const StartSearch search(all, x);
+            for (std::size_t i = 0; i < x.size(); ++i) {
+                Track track = solver_start(search, all, x[i]).value();
+                const BeadNodeContact& node = contact.bead[b].node[i];
+                REQUIRE(node.start_segment == all.segment_index[track.segment]);
+                REQUIRE(contact.mesh.node_row[contact.track[b][i].nearest] == all.node_row[track.nearest]);
+                const SolverHit hit = solver_step(track, all, all.x, x[i]);
+                REQUIRE(node.segment == all.segment_index[hit.segment]);
+                REQUIRE(node.nodes == s.segment[node.segment]);
+                REQUIRE(node.xi == hit.xi);
+                REQUIRE(node.distance == hit.d);
+                REQUIRE(node.slope == 20);
+                REQUIRE(node.closest == all.segment_index[closest.find(x[i]).segment]);
+            }
+        }
+    }
+}
+
+TEST_CASE("a small part of a large surface is enough, in millimetres and in metres") {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> u(0, 1);
+    for (int round = 0; round < 24; ++round) {
+        const double size = round % 2 ? 1.0 : 0.002;
+        Sheet s = flat_sheet(60, 60, size);
+        for (Vec3& p : s.x)
+            p = p + size * Vec3{0.2 * u(random), 0.2 * u(random),
+                                (round % 3) * 2 * std::sin(p.x / size * 0.1) * std::cos(p.y / size * 0.1)};
+        std::shuffle(s.id.begin(), s.id.end(), random);
+        const NearMesh all = near_mesh(s.mesh(), {}, whole_surface);
         BeadInput bead;
-        bead.x = random_points(s, 1 + random() % 6, random);
-        bead.fn_first = 100, bead.depth = 5;
+        const Vec3 from = size * Vec3{40 * u(random), 40 * u(random), 3 + 6 * u(random)};
+        for (int k = 0; k < 20; ++k)
+            bead.x.push_back(from + size * k * Vec3{0.8, 0.3, 0});
         const SurfaceContact contact = surface_contact(
             s.mesh(), std::span(&bead, 1), [](uint32_t) { return of_shell(210000, 1); }, 42000, {});
+        CHECK(contact.mesh.segment.size() < all.segment.size());
         const StartSearch search(all, bead.x);
         for (std::size_t i = 0; i < bead.x.size(); ++i) {
             Track track = solver_start(search, all, bead.x[i]).value();
-            const BeadNodeContact& node = contact.bead[0].node[i];
-            REQUIRE(node.start_segment == all.segment_index[track.segment]);
+            REQUIRE(contact.bead[0].node[i].start_segment == all.segment_index[track.segment]);
             const SolverHit hit = solver_step(track, all, all.x, bead.x[i]);
-            REQUIRE(node.segment == all.segment_index[hit.segment]);
-            REQUIRE(node.nodes == s.segment[node.segment]);
-            REQUIRE(node.xi == hit.xi);
-            REQUIRE(node.distance == hit.d);
-            REQUIRE(node.slope == 20);
-            REQUIRE(node.closest == all.segment_index[ClosestSegment(all).find(bead.x[i]).segment]);
+            REQUIRE(contact.bead[0].node[i].segment == all.segment_index[hit.segment]);
+            REQUIRE(contact.bead[0].node[i].xi == hit.xi);
         }
     }
 }
