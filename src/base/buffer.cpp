@@ -7,13 +7,16 @@ namespace drawbead {
 
 namespace {
 constexpr std::size_t huge_page = std::size_t{2} << 20;
-constexpr std::size_t whole_pages(std::size_t bytes) { return (bytes + huge_page - 1) / huge_page * huge_page; }
+constexpr std::size_t whole_pages(std::size_t bytes) {
+    return (bytes + huge_page - 1) / huge_page * huge_page;
 }
+} // namespace
 
 void* allocate_pages(std::size_t bytes) {
     if (bytes == 0) return nullptr;
     if (bytes < huge_page) return ::operator new(bytes);
-    void* memory = mmap(nullptr, whole_pages(bytes), PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    void* memory =
+        mmap(nullptr, whole_pages(bytes), PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (memory == MAP_FAILED) throw std::bad_alloc();
     madvise(memory, whole_pages(bytes), MADV_HUGEPAGE);
     return memory;

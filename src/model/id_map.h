@@ -31,7 +31,8 @@ public:
         if (form_ == Form::dense && place < count_)
             __builtin_prefetch(&table_[place]);
         else if (form_ == Form::paged && place < count_ && pages_[place >> page_bits] != none)
-            __builtin_prefetch(&table_[std::size_t{pages_[place >> page_bits]} * page_size + place % page_size]);
+            __builtin_prefetch(
+                &table_[std::size_t{pages_[place >> page_bits]} * page_size + place % page_size]);
     }
     /// Whether row(id) == id - first for every id in the table.
     bool consecutive() const { return form_ == Form::consecutive; }

@@ -18,8 +18,7 @@ namespace {
 constexpr uint64_t piece_bytes = uint64_t{4} << 20;
 constexpr uint32_t most_cells = 10;
 
-// ------------------------------------------------------------------------------------------------ cards as
-// data
+// ---- cards as data
 
 constexpr int last_narrow_layout = 50; ///< 41, 42, 44: 8-column integers and 16-column reals
 
@@ -102,7 +101,7 @@ const Form* form_of(std::string_view keyword) {
     return nullptr;
 }
 
-// ------------------------------------------------------------------------------------------------ issues
+// ---- issues
 
 /// The first issues of each kind, and how many there are.
 class Issues {
@@ -147,8 +146,7 @@ private:
     std::array<Entry, kinds> entries_;
 };
 
-// ------------------------------------------------------------------------------------------------ pieces of
-// text
+// ---- pieces of text
 
 /// A table block and what its numbers mean.
 struct Source {
@@ -246,8 +244,7 @@ uint64_t lines_of(const Deck& deck, const Span& text) {
     return newlines + (inside.back() != '\n');
 }
 
-// ------------------------------------------------------------------------------------------------ one exact
-// line
+// ---- one exact line
 
 /// Everything that reading a piece needs.
 struct Context {
@@ -353,7 +350,7 @@ LineRange range_of(const Deck& deck, const Span& text) {
     return {bytes.data() + text.begin, bytes.data() + text.end, bytes};
 }
 
-// ------------------------------------------------------------------------------------------------ nodes
+// ---- nodes
 
 void read_node_piece(const Context& context, const Source& source, Piece& piece, NodeTable& table) {
     LineReader reader(context, source, piece);
@@ -392,7 +389,7 @@ void read_node_piece(const Context& context, const Source& source, Piece& piece,
     piece.lines = rows.count + left_out;
 }
 
-// ------------------------------------------------------------------------------------------------ elements
+// ---- elements
 
 /// The columns of a table of elements; what a table does not have is null.
 struct ElementRows {
@@ -494,7 +491,7 @@ private:
                 rows_.solid[count_].fill(no_node);
                 known = find_nodes(cell + 1, ids.cells - 1, rows_.solid[count_].data());
             }
-            if (!known) report_unknown(static_cast<uint32_t>(id), cell, ids.cells, line_of(from, i));
+            if (!known) report_unknown(static_cast<uint32_t>(id), cell, ids.cells, from, i);
             ++count_;
         }
     }
@@ -521,13 +518,21 @@ private:
         return text;
     }
 
-    void report_unknown(uint32_t id, const uint32_t* cell, uint32_t cells, std::string_view line) {
+    /// Nodes of a plain line that do not exist. When a whole node table is missing, counting them must be
+    /// quick.
+    void report_unknown(uint32_t id, const uint32_t* cell, uint32_t cells, const char* from,
+                        std::size_t line) {
         for (uint32_t n = 1; n < cells; ++n) {
             if (row_of(cell[n]) != IdMap::none) continue;
+            if (piece_.issues.full(ReadIssue::Kind::unknown_node)) {
+                piece_.issues.count(ReadIssue::Kind::unknown_node, 1);
+                continue;
+            }
+            const Span text = reader_.span(line_of(from, line));
             const Cell written =
-                read_cell(context_.deck, context_.deck.blocks()[source_.block].scope, reader_.span(line),
+                read_cell(context_.deck, context_.deck.blocks()[source_.block].scope, text,
                           n * source_.widths.integer + 1, source_.widths.integer, Kind::integer);
-            report_unknown(id, cell[n], written.text.empty() ? reader_.span(line) : written.place);
+            report_unknown(id, cell[n], written.text.empty() ? text : written.place);
         }
     }
     void report_unknown(uint32_t id, int64_t written, Span place) {
@@ -626,7 +631,7 @@ private:
     uint64_t left_out_ = 0;
 };
 
-// ------------------------------------------------------------------------------------------------ tables
+// ---- tables
 
 struct Plan {
     std::vector<Source> sources;

@@ -213,6 +213,18 @@ TEST_CASE("nodes of elements that do not exist are reported at their cell") {
     CHECK(deck.text(tables.issues.back().place) == "44");
 }
 
+TEST_CASE("when a node table is missing, the first elements are listed and the rest is counted") {
+    std::string text = begin + nodes_to(2) + "/SHELL/1\n";
+    for (int64_t id = 1; id <= 1000; ++id)
+        text += ids({id, 1, 2, 3, 4}) + "\n";
+    const Deck deck = deck_of(text + "/END\n");
+    const Tables tables = read_tables(deck, everything(), 1);
+    REQUIRE(tables.issues.size() == issue_limit);
+    CHECK(count(tables, ReadIssue::Kind::unknown_node) == 2000);
+    CHECK(tables.issues[99].subject == "shell 50");
+    CHECK(tables.issues[99].count == 1901);
+}
+
 TEST_CASE("solids of all kinds") {
     const Deck deck =
         deck_of(begin + nodes_to(20) + "/BRICK/1\n" + ids({1, 1, 2, 3, 4, 5, 6, 7, 8}) + "\n/TETRA4/2\n" +
