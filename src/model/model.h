@@ -77,6 +77,8 @@ public:
     const Material* material(MaterialId) const;
     /// In deck order.
     const std::vector<Part>& parts() const { return parts_; }
+    const std::vector<Property>& properties() const { return properties_; }
+    const std::vector<Material>& materials() const { return materials_; }
     const std::vector<Drawbead>& drawbeads() const { return drawbeads_; }
     /// Groups and surfaces that drawbeads use, each once.
     const std::vector<NodeGroup>& groups() const { return groups_; }
