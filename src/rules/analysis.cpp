@@ -2,9 +2,12 @@
 
 #include "base/parallel.h"
 #include "geometry/segment_shape.h"
+#include "rules/srf/near_surface.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 
 namespace drawbead {
 
@@ -64,30 +67,7 @@ void check_list(BeadAnalysis& a) {
     a.check = check_line(a.x, node, element);
 }
 
-/// Largest of some segments, evenly picked: how far the zone of the beads may reach, to begin with.
-double typical_element(const SegmentMesh& mesh) {
-    constexpr std::size_t samples = 256;
-    const std::size_t step = std::max<std::size_t>(1, mesh.segment.size() / samples);
-    double largest = 0;
-    for (std::size_t i = 0; i < mesh.segment.size(); i += step) {
-        const SegmentNodes n = mesh.segment[i];
-        if (std::max({n[0], n[1], n[2], n[3]}) >= mesh.x.size()) continue;
-        largest = std::max(largest, area({mesh.x[n[0]], mesh.x[n[1]], mesh.x[n[2]], mesh.x[n[3]]}));
-    }
-    return std::sqrt(largest);
-}
-
 constexpr SideLimits side_limits{};
-
-bool covers_zone(const NearMesh& near, const std::vector<BeadAnalysis*>& beads) {
-    for (const BeadAnalysis* a : beads)
-        for (const BeadHit& h : a->hit) {
-            const double r = side_limits.reach * h.element;
-            const Vec3 foot = h.closest.foot.point;
-            if (!near.covers(foot - Vec3{r, r, r}, foot + Vec3{r, r, r})) return false;
-        }
-    return true;
-}
 
 /// Exact closest segments of all beads of a surface, and the part of the surface around them.
 void find_closest(const Model& model, const Surface& surface, const std::vector<BeadAnalysis*>& beads,
@@ -96,13 +76,14 @@ void find_closest(const Model& model, const Surface& surface, const std::vector<
     for (const BeadAnalysis* a : beads)
         points.insert(points.end(), a->x.begin(), a->x.end());
     const SegmentMesh mesh = segment_mesh(model, surface);
-    if (points.empty() || mesh.segment.size() == 0) return;
-
-    double travel = sides ? (side_limits.reach + 1) * typical_element(mesh) : 0;
-    for (int attempt = 0; attempt < 2; ++attempt) {
-        out.near = mesh_for_closest(mesh, points, travel, threads);
-        if (out.near.segment.empty()) return;
-        const ClosestSegment closest(out.near);
+    const double elements = sides ? side_limits.reach + 1 : 0;
+    double least_margin = 0;
+    while (true) {
+        NearSurface near = near_surface(mesh, points, elements, least_margin, threads);
+        if (near.mesh.segment.empty()) return;
+        const ClosestSegment closest(near.mesh);
+        double needed = 0; // of margin, by any node that has too little of it
+        std::size_t first = 0;
         for (BeadAnalysis* a : beads) {
             a->hit.assign(a->x.size(), {});
             constexpr std::size_t chunk = 128;
@@ -111,18 +92,19 @@ void find_closest(const Model& model, const Surface& surface, const std::vector<
                 for (std::size_t i = piece * chunk; i < end; ++i) {
                     BeadHit& h = a->hit[i];
                     h.closest = closest.find(a->x[i]);
-                    if (!h.closest.found()) continue;
-                    h.segment = out.near.segment_index[h.closest.segment];
-                    h.element = std::sqrt(area(out.near.corners(h.closest.segment)));
+                    h.segment = near.mesh.segment_index[h.closest.segment];
+                    h.element = std::sqrt(area(near.mesh.corners(h.closest.segment)));
                 }
             });
+            for (std::size_t i = 0; sides && i < a->x.size(); ++i)
+                if (const double reach = side_limits.reach * a->hit[i].element;
+                    reach > near.margin[first + i])
+                    needed = std::max(needed, reach);
+            first += a->x.size();
         }
-        if (!sides || covers_zone(out.near, beads)) return;
-        double largest = 0;
-        for (const BeadAnalysis* a : beads)
-            for (const BeadHit& h : a->hit)
-                largest = std::max(largest, h.element);
-        travel = (side_limits.reach + 1) * largest;
+        out.near = std::move(near.mesh);
+        if (needed == 0) return;
+        least_margin = needed;
     }
 }
 
