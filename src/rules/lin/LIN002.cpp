@@ -3,14 +3,16 @@
 #include "rules/text.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace drawbead {
 
 namespace {
 
-/// Totals if the bead were listed in walking order.
-Forces forces_of_walk(const BeadAnalysis& a) {
-    Forces total;
+/// What the nodes carry too much or too little, against the list in walking order: a sum of sizes, since the
+/// totals of the two may well be alike.
+Forces misplaced(const BeadAnalysis& a) {
+    Forces sum;
     const LineWalk& walk = a.check.walk;
     std::vector<Vec3> x;
     for (const uint32_t i : walk.order)
@@ -18,18 +20,19 @@ Forces forces_of_walk(const BeadAnalysis& a) {
     const BeadLine line = bead_line(x);
     const Drawbead& b = *a.bead;
     for (std::size_t i = 0; i < x.size(); ++i) {
-        total.fn += normal_limit_along(b.fn_first, b.fn_last, line.s[i], line.length) * line.tributary[i];
-        total.ft += limit_along(b.ft_first, b.ft_last, line.s[i], line.length) * line.tributary[i];
+        const double fn = normal_limit_along(b.fn_first, b.fn_last, line.s[i], line.length);
+        const double ft = limit_along(b.ft_first, b.ft_last, line.s[i], line.length);
+        sum.fn += std::abs(a.fn_force(walk.order[i]) - fn * line.tributary[i]);
+        sum.ft += std::abs(a.ft_force(walk.order[i]) - ft * line.tributary[i]);
     }
-    return total;
+    return sum;
 }
 
 void check(const RuleContext& context, FindingSink& sink) {
     for (const BeadAnalysis* a : beads_with_order(context)) {
         if (!a->check.scrambled) continue;
         const LineWalk& walk = a->check.walk;
-        const Forces straight = forces_of_walk(*a);
-        const double fn = a->fn_total - straight.fn, ft = a->ft_total - straight.ft;
+        const auto [fn, ft] = misplaced(*a);
         const UnitSystem& units = context.deck.work_units();
 
         // Where the list first leaves the walk.
@@ -38,11 +41,11 @@ void check(const RuleContext& context, FindingSink& sink) {
             ++first;
         const std::vector<Span> places = list_places(context, *a);
         Draft draft = draft_at_position(context, *a, places, std::min(first, places.size() - 1));
-        draft.message =
-            "the list of " + bead_name(*a->bead) +
-            " is not a walk along it: " + quantity(a->check.list_length, units, length_dimension) +
-            " from node to node, " + quantity(walk.length, units, length_dimension) +
-            " along the line; every node carries the wrong length: " + cost_text(context, *a, fn, ft);
+        draft.message = "the list of " + bead_name(*a->bead) + " is not a walk along it: " +
+                        quantity(a->check.list_length, units, length_dimension) + " from node to node, " +
+                        quantity(walk.length, units, length_dimension) +
+                        " along the line; nodes carry the wrong lengths, too much or too little by " +
+                        force_text(context, *a, fn, ft);
         for (std::size_t i = 0; i < a->x.size(); ++i)
             draft.entities.nodes.add(node_id(context, *a, i));
         draft.measured.push_back(

@@ -20,13 +20,13 @@ void say_repeated(const RuleContext& context, const BeadAnalysis& a, FindingSink
                         std::to_string(first.first + 1) + " and " + std::to_string(first.second + 1);
     if (list.repeated.size() > 1)
         draft.message += " (and " + std::to_string(list.repeated.size() - 1) + " more)";
-    draft.message += "; the Engine stops when it reads the restart file, and the bead has none of its " +
-                     cost_text(context, a, a.fn_total, a.ft_total);
+    draft.message += "; the Engine stops when it reads the restart file, there is no run: " +
+                     cost_text(context, a, -a.fn_total, -a.ft_total);
     for (const LinePair& pair : list.repeated) {
         if (&pair != &first) draft.related.push_back(places[pair.second]);
         draft.entities.nodes.add(node_id(context, a, pair.first));
     }
-    measure_cost(context, a, a.fn_total, a.ft_total, draft);
+    measure_cost(context, a, -a.fn_total, -a.ft_total, draft);
     draft.help = list.closed_by_repeat
                      ? "take the last entry away; a new node at the place of the first one closes the loop"
                      : "take the repeated entries away";

@@ -18,6 +18,9 @@ void check(const RuleContext& context, FindingSink& sink) {
             draft.entities.nodes.add(node_id(context, *a, i));
             if (i != branches.front()) draft.related.push_back(places[i]);
         }
+        // Nodes strewn over an area were not meant as arms of anything: what was meant cannot be told.
+        constexpr std::size_t most_branches = 3;
+        if (branches.size() > most_branches) draft.severity = Severity::warning;
         draft.message = "three or more arms of " + bead_name(*a->bead) + " meet at node " +
                         std::to_string(node_id(context, *a, branches.front()));
         if (branches.size() > 1)

@@ -22,22 +22,30 @@ int64_t node_id(const RuleContext& context, const BeadAnalysis& a, std::size_t i
 
 namespace {
 
-std::string one_cost(const RuleContext& context, double cost, double total, const char* limit) {
+std::string one_cost(const RuleContext& context, double cost, double total, const char* limit, bool plus) {
     const std::string force = quantity(cost, context.deck.work_units(), force_dimension);
-    return (cost > 0 ? "+" : "") + force + " of " + limit + ", " + number(100 * cost / std::abs(total), 3) +
-           " % of its total";
+    return (plus && cost > 0 ? "+" : "") + force + " of " + limit + ", " +
+           number(100 * cost / std::abs(total), 3) + " % of its total";
+}
+
+std::string both_costs(const RuleContext& context, const BeadAnalysis& a, double fn, double ft, bool plus) {
+    std::string text;
+    if (a.fn_total != 0) text = one_cost(context, fn, a.fn_total, "Fn", plus);
+    if (a.ft_total != 0) {
+        if (!text.empty()) text += ", and ";
+        text += one_cost(context, ft, a.ft_total, "Ft", plus);
+    }
+    return text.empty() ? "0 N, the bead has no force" : text;
 }
 
 } // namespace
 
 std::string cost_text(const RuleContext& context, const BeadAnalysis& a, double fn, double ft) {
-    std::string text;
-    if (a.fn_total != 0) text = one_cost(context, fn, a.fn_total, "Fn");
-    if (a.ft_total != 0) {
-        if (!text.empty()) text += ", and ";
-        text += one_cost(context, ft, a.ft_total, "Ft");
-    }
-    return text.empty() ? "0 N, the bead has no force" : text;
+    return both_costs(context, a, fn, ft, true);
+}
+
+std::string force_text(const RuleContext& context, const BeadAnalysis& a, double fn, double ft) {
+    return both_costs(context, a, fn, ft, false);
 }
 
 void measure_cost(const RuleContext& context, const BeadAnalysis& a, double fn, double ft, Draft& draft) {

@@ -18,6 +18,8 @@ int64_t node_id(const RuleContext&, const BeadAnalysis&, std::size_t i);
 /// "+750 N of Fn, 33 % of its total, and +375 N of Ft, 33 % of its total": forces that the finding adds to
 /// (or takes from) the totals. A limit that is 0 along the bead is not named.
 std::string cost_text(const RuleContext&, const BeadAnalysis&, double fn, double ft);
+/// The same without a plus: "750 N of Fn, 33 % of its total, …", for forces that are not added to anything.
+std::string force_text(const RuleContext&, const BeadAnalysis&, double fn, double ft);
 /// The same as measures, in work units.
 void measure_cost(const RuleContext&, const BeadAnalysis&, double fn, double ft, Draft&);
 

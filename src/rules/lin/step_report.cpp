@@ -30,7 +30,7 @@ void report_steps(const RuleContext& context, const BeadAnalysis& a, const std::
                     std::to_string(node_id(context, a, worst.to)) + " " +
                     quantity(worst.length, units, length_dimension) + ", " + words.usual + " " +
                     quantity(worst.usual, units, length_dimension) + "); " + words.consequence + " " +
-                    cost_text(context, a, fn, ft);
+                    force_text(context, a, fn, ft);
     for (const LineHop& h : hops) {
         if (&h != &worst && draft.related.size() < 99) draft.related.push_back(places[h.to]);
         draft.entities.nodes.add(node_id(context, a, h.from));

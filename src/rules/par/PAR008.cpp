@@ -39,7 +39,7 @@ void check(const RuleContext& context, FindingSink& sink) {
             quantity(thickness, units, length_dimension) + "; " +
             (ratio < thinnest ? "the force comes within a fraction of the thickness, almost at once"
                               : "the bead acts long before the tool touches the sheet") +
-            "; in reach at the start: " + cost_text(context, *a, fn, ft);
+            "; in reach at the start: " + force_text(context, *a, fn, ft);
         draft.measured.push_back({"depth over thickness", ratio, ""});
         measure_cost(context, *a, fn, ft, draft);
         draft.help = "DEPTH is the height of the real bead, a few times the thickness of the sheet";

@@ -13,6 +13,8 @@ void check(const RuleContext& context, FindingSink& sink) {
         double fn = 0, ft = 0;
         for (std::size_t i = 0; i < a->side.node.size(); ++i) {
             if (a->side.node[i] != Facing::unknown) continue;
+            // The Starter turns the faces of coated solids outward, and so toward the bead.
+            if (a->surface->segments[a->hit[i].segment].solid_backed) continue;
             open.push_back(i);
             fn += a->fn_force(i);
             ft += a->ft_force(i);
@@ -37,7 +39,7 @@ void check(const RuleContext& context, FindingSink& sink) {
                          : beside == 0     ? "it lies in the surface"
                          : in_surface == 0 ? "it lies beside the surface"
                                            : "it lies in the surface or beside it") +
-                        "); if the segments look away, " + cost_text(context, *a, fn, ft) +
+                        "); if the segments look away, " + force_text(context, *a, fn, ft) +
                         ", acts at any distance and to the wrong side";
         measure_cost(context, *a, fn, ft, draft);
         draft.help = "place the bead clearly on the tool's side of the blank";

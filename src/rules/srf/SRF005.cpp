@@ -35,7 +35,7 @@ void check(const RuleContext& context, FindingSink& sink) {
                         (own.size() == 1 ? " belongs" : " belong") + " to its main surface " +
                         std::to_string(a->surface->id) + " (" + listed(ids) +
                         "); bead and blank are mixed up, and the bead presses on itself: " +
-                        cost_text(context, *a, fn, ft);
+                        force_text(context, *a, fn, ft);
         measure_cost(context, *a, fn, ft, draft);
         draft.help = "the group holds the nodes of the tool, the surface the segments of the blank";
         sink.add(std::move(draft));
