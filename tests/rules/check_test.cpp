@@ -43,6 +43,16 @@ TEST_CASE("the frame of the pages is clean") {
     CHECK(result.findings.empty());
 }
 
+TEST_CASE("line ends of Windows and a missing last one change nothing") {
+    std::string text;
+    for (const char c : frame())
+        text += c == '\n' ? std::string("\r\n") : std::string(1, c);
+    CHECK(check_text(text).findings.empty());
+    CHECK(check_text(frame().substr(0, frame().size() - 1)).findings.empty());
+    const std::string damaged = replaced(text, "/GRNOD/NODENS/2", "/GRNOD/NODE/2");
+    CHECK(codes(check_text(damaged)) == std::vector<std::string>{"REF003"});
+}
+
 TEST_CASE("what was read of a deck") {
     MemoryReader reader;
     reader.add("deck.rad", frame());
