@@ -112,6 +112,50 @@ void for_each_id(const Deck& deck, ScopeId scope, const Span& text, IssueLog& is
     }
 }
 
+bool read_plain_cells(std::string_view text, std::size_t width, std::size_t count, int64_t* values) {
+    if (text.find(',') != std::string_view::npos) return false;
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t begin = i * width;
+        const std::size_t end = begin + width < text.size() ? begin + width : text.size();
+        std::size_t at = begin;
+        values[i] = 0;
+        while (at < end && text[at] == ' ')
+            ++at;
+        if (at >= end) continue;
+        const bool negative = text[at] == '-';
+        if (negative) ++at;
+        const std::size_t digits = at;
+        int64_t value = 0;
+        while (at < end && text[at] >= '0' && text[at] <= '9')
+            value = 10 * value + (text[at++] - '0');
+        if (at == digits || value > 2147483647) return false;
+        while (at < end && text[at] == ' ')
+            ++at;
+        if (at != end) return false;
+        values[i] = negative ? -value : value;
+    }
+    return true;
+}
+
+std::vector<Span> line_pieces(const Deck& deck, const Span& text) {
+    constexpr uint64_t piece = uint64_t{1} << 21;
+    std::vector<Span> pieces;
+    const SourceFile& file = deck.file(text.file);
+    uint64_t begin = text.begin;
+    while (begin < text.end) {
+        uint64_t end = begin + piece;
+        while (end < text.end) {
+            const uint64_t line = file.line_begin(end);
+            end = file.next_line(end);
+            if (end >= text.end || (file.bytes()[line] != '#' && file.bytes()[line] != '+')) break;
+        }
+        end = std::min(end, text.end);
+        pieces.push_back({text.file, begin, end});
+        begin = end;
+    }
+    return pieces;
+}
+
 Span list_text(const Deck& deck, const Block& block) {
     DataLines lines(deck, block);
     Span title;

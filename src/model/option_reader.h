@@ -61,6 +61,14 @@ struct WrittenId {
 void for_each_id(const Deck&, ScopeId, const Span& lines, IssueLog&,
                  const std::function<void(const WrittenId*, std::size_t count)>& take);
 
+/// Reads `count` plain integer cells (blanks, a minus sign, digits) of a line; blank cells are 0. False when
+/// a cell is anything else and the line needs the exact path.
+bool read_plain_cells(std::string_view text, std::size_t width, std::size_t count, int64_t* values);
+
+/// The list's text in pieces that end at line ends, so that long lists are read by several threads. Directive
+/// lines and what may continue them stay in one piece.
+std::vector<Span> line_pieces(const Deck&, const Span& text);
+
 /// The text of a block after its title line.
 Span list_text(const Deck&, const Block&);
 

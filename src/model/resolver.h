@@ -35,7 +35,8 @@ struct SegmentRun {
 
 /// A surface before its segments are written out.
 struct SurfaceContent {
-    std::vector<ListedSegment> listed;        ///< SEG lines, reversed where a sign says so
+    std::vector<std::vector<ListedSegment>>
+        listed; ///< SEG lines in order, in chunks; reversed where a sign says so
     std::vector<SegmentRun> shells4, shells3; ///< ascending within each surface of a surface of surfaces
     std::vector<Segment> faces;               ///< of solids, or of DSURF
     bool ordered = false;                     ///< `faces` stand in the solver's order (DSURF)
@@ -133,8 +134,9 @@ private:
 /// and says whether that changed them.
 bool normalise(std::array<NodeRow, 4>& nodes, bool& repaired);
 
-/// Writes the segments of a surface: SEG lines, quadrilaterals, triangles, faces. Shells run in parallel.
-void write_segments(const SurfaceContent&, const Tables&, unsigned threads, Surface&);
+/// Writes the segments of a surface: SEG lines, quadrilaterals, triangles, faces. Gives the SEG lines of
+/// `content` free.
+void write_segments(SurfaceContent& content, const Tables&, unsigned threads, Surface&);
 
 /// Finds the elements behind the SEG lines of a surface and turns what has a solid behind it outward.
 /// `stronger` says whether the first of two shells (kind and row) gives the stiffness.

@@ -10,27 +10,6 @@ namespace {
 constexpr uint32_t rows_per_piece = 1u << 16;
 constexpr std::size_t longest_list = 50'000'000; ///< groups of groups can double at every level
 
-/// The list's text in pieces that end at line ends, so that long lists are read by several threads. Directive
-/// lines and what may continue them stay in one piece.
-std::vector<Span> line_pieces(const Deck& deck, const Span& text) {
-    constexpr uint64_t piece = uint64_t{1} << 21;
-    std::vector<Span> pieces;
-    const SourceFile& file = deck.file(text.file);
-    uint64_t begin = text.begin;
-    while (begin < text.end) {
-        uint64_t end = begin + piece;
-        while (end < text.end) {
-            const uint64_t line = file.line_begin(end);
-            end = file.next_line(end);
-            if (end >= text.end || (file.bytes()[line] != '#' && file.bytes()[line] != '+')) break;
-        }
-        end = std::min(end, text.end);
-        pieces.push_back({text.file, begin, end});
-        begin = end;
-    }
-    return pieces;
-}
-
 } // namespace
 
 void Resolver::add_nodes(const ElementRows& rows, NodeSet& set, const NodeSet* only) const {
@@ -99,9 +78,10 @@ void Resolver::add_surface_nodes(const SurfaceContent& content, NodeSet& set, co
     const auto take = [&](NodeRow node) {
         if (node != no_node && (!only || only->contains(node))) set.insert(node);
     };
-    for (const ListedSegment& segment : content.listed)
-        for (const int64_t id : segment.node)
-            if (const auto node = row(id)) take(*node);
+    for (const auto& chunk : content.listed)
+        for (const ListedSegment& segment : chunk)
+            for (const int32_t id : segment.node)
+                if (const auto node = row(id)) take(*node);
     const auto rows = [](const std::vector<SegmentRun>& runs) {
         std::vector<RowRun> plain;
         for (const SegmentRun& run : runs)

@@ -1,4 +1,4 @@
-#include "model/cards/lists.h"
+#include "base/parallel.h"
 #include "model/resolver.h"
 
 #include <algorithm>
@@ -26,8 +26,9 @@ void reverse(ListedSegment& segment) {
 
 /// As a reference with a minus sign does: 4 3 2 1, whatever the segment is made of.
 void reverse(SurfaceContent& content) {
-    for (ListedSegment& segment : content.listed)
-        reverse(segment);
+    for (auto& chunk : content.listed)
+        for (ListedSegment& segment : chunk)
+            reverse(segment);
     for (SegmentRun& run : content.shells4)
         run.sense = static_cast<int8_t>(-run.sense);
     for (SegmentRun& run : content.shells3)
@@ -198,12 +199,21 @@ SurfaceContent Resolver::surface(BlockIndex index) {
     if (is_option(block.keyword, "SET")) return surface_of_set(index);
     const std::string_view type = subtype(block.keyword);
     if (type == "SEG") {
-        DataLines lines(deck_, list_text(deck_, block));
-        Span line;
-        while (lines.next_filled(line)) {
+        const std::vector<Span> pieces = line_pieces(deck_, list_text(deck_, block));
+        content.listed.resize(pieces.size());
+        std::vector<IssueLog> logs(pieces.size());
+        parallel_for(threads_, pieces.size(), [&](std::size_t p) {
+            DataLines lines(deck_, pieces[p]);
+            Span line;
             ListedSegment segment;
-            if (read_segment(deck_, block.scope, line, issues_, segment)) content.listed.push_back(segment);
-        }
+            std::vector<ListedSegment>& listed = content.listed[p];
+            listed.reserve(pieces[p].size() / 51); // full lines of five cells
+            while (lines.next_filled(line))
+                if (read_segment(deck_, block.scope, line, logs[p], segment)) listed.push_back(segment);
+        });
+        for (IssueLog& log : logs)
+            for (const ReadIssue& issue : log.take())
+                report(issue.kind, issue.place, issue.subject, issue.detail);
         return content;
     }
     if (type == "PLANE" || type == "ELLIPS" || type == "MDELLIPS") return content; // no mesh
@@ -251,7 +261,10 @@ SurfaceContent Resolver::surface_of_surfaces(BlockIndex, const Membership& membe
             SurfaceContent part = surface(*other);
             if (minus) reverse(part);
             append(content, part);
-            if (content.listed.size() + content.faces.size() + content.shells4.size() > 50'000'000) {
+            std::size_t segments = content.faces.size() + content.shells4.size() + content.shells3.size();
+            for (const auto& chunk : content.listed)
+                segments += chunk.size();
+            if (segments > 50'000'000) {
                 report(ReadIssue::Kind::not_supported, member.place, "SURF/SURF", "over 50 million segments");
                 content.evaluated = false;
                 return content;
@@ -277,7 +290,7 @@ SurfaceContent Resolver::difference(BlockIndex, const Membership& membership) {
                 report(ReadIssue::Kind::member_missing, member.place, std::to_string(member.first));
                 continue;
             }
-            const SurfaceContent part = surface(*other);
+            SurfaceContent part = surface(*other);
             content.evaluated = content.evaluated && part.evaluated;
             Surface written;
             write_segments(part, tables_, threads_, written);
@@ -358,7 +371,7 @@ Resolver::SetContent Resolver::set_content(BlockIndex block, bool with_nodes) {
         if (with_nodes) {
             add_nodes(unite(one.plus, one.reversed), one.nodes, nullptr);
             for (const ListedSegment& segment : one.segments)
-                for (const int64_t id : segment.node)
+                for (const int32_t id : segment.node)
                     if (const auto node = row(id)) one.nodes.insert(*node);
         }
         if (clause.reversed) {
@@ -401,7 +414,7 @@ SurfaceContent Resolver::surface_of_set(BlockIndex block) {
     const ElementRows coating = unite(rows.plus, rows.minus);
     add_faces(external, Faces::external, coating, content.faces);
     add_faces(set.all_faces, Faces::all, coating, content.faces);
-    content.listed = set.segments;
+    content.listed.push_back(set.segments);
     return content;
 }
 

@@ -115,14 +115,11 @@ void turn_outward(const Tables& tables, uint32_t solid, Segment& segment) {
 
 } // namespace
 
-void write_segments(const SurfaceContent& content, const Tables& tables, unsigned threads, Surface& surface) {
-    // SEG lines in pieces: looking up their nodes is what costs.
-    const std::size_t listed_pieces = (content.listed.size() + rows_per_piece - 1) / rows_per_piece;
-    std::vector<Written> written(listed_pieces);
-    parallel_for(threads, listed_pieces, [&](std::size_t p) {
-        const std::size_t begin = p * rows_per_piece;
-        const std::size_t count = std::min<std::size_t>(rows_per_piece, content.listed.size() - begin);
-        written[p] = write_listed(tables.nodes, std::span(content.listed).subspan(begin, count));
+void write_segments(SurfaceContent& content, const Tables& tables, unsigned threads, Surface& surface) {
+    std::vector<Written> written(content.listed.size());
+    parallel_for(threads, written.size(), [&](std::size_t p) {
+        written[p] = write_listed(tables.nodes, content.listed[p]);
+        content.listed[p] = {};
     });
     uint64_t listed = 0;
     for (const Written& piece : written)

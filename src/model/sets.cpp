@@ -151,16 +151,24 @@ std::vector<SetClause> read_set(const Deck& deck, const OptionIndex& index, Bloc
 
 bool read_segment(const Deck& deck, ScopeId scope, const Span& line, IssueLog& issues,
                   ListedSegment& segment) {
-    const Card card = read_card(deck, scope, line, segment_card);
-    static constexpr std::string_view names[] = {"node_ID1", "node_ID2", "node_ID3", "node_ID4"};
-    const int64_t offset = deck.scope(scope).offsets.node;
-    for (std::size_t i = 0; i < 4; ++i) {
-        const Cell& cell = card[names[i]];
-        issues.check(cell, names[i]);
-        segment.node[i] = Deck::global_id(cell.integer, offset);
+    const Scope& here = deck.scope(scope);
+    const int64_t offset = here.offsets.node;
+    const auto cut = [](int64_t id) {
+        return static_cast<int32_t>(std::clamp<int64_t>(id, -2147483647, 2147483647));
+    };
+    std::array<int64_t, 5> plain{};
+    segment.line = line;
+    if (read_plain_cells(deck.text(line), here.layout < 45 ? 8 : 10, plain.size(), plain.data())) {
+        for (std::size_t i = 0; i < 4; ++i)
+            segment.node[i] = cut(Deck::global_id(plain[i + 1], offset));
+    } else {
+        const Card card = read_card(deck, scope, line, segment_card);
+        static constexpr std::string_view names[] = {"node_ID1", "node_ID2", "node_ID3", "node_ID4"};
+        issues.check(card);
+        for (std::size_t i = 0; i < 4; ++i)
+            segment.node[i] = cut(Deck::global_id(card[names[i]].integer, offset));
     }
     if (segment.node[3] == 0) segment.node[3] = segment.node[2];
-    segment.line = line;
     return segment.node[0] != 0 && segment.node[1] != 0 && segment.node[2] != 0;
 }
 

@@ -11,9 +11,10 @@
 
 namespace drawbead {
 
-/// One line of /SURF/SEG or of a SEG clause: global node ids, n4 = n3 when blank.
+/// One line of /SURF/SEG or of a SEG clause: global node ids (cut to 32 bits: no greater id exists), n4 = n3
+/// when blank.
 struct ListedSegment {
-    std::array<int64_t, 4> node{};
+    std::array<int32_t, 4> node{};
     Span line;
 };
 
