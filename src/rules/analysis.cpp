@@ -64,7 +64,9 @@ void check_list(BeadAnalysis& a) {
         node.push_back(index(row));
     for (const BeadHit& h : a.hit)
         element.push_back(h.element);
-    a.check = check_line(a.x, node, element);
+    LineLimits limits;
+    limits.over_element = 1.001; // a step as long as the element is not longer, whatever the rounding
+    a.check = check_line(a.x, node, element, limits);
 }
 
 constexpr SideLimits side_limits{};
