@@ -13,7 +13,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, std::size_t size) {
     const DeckResult result = check_deck(fuzz_main, files, reading, {});
     if (result.failed() && !result.findings.empty()) std::abort();
     for (const Finding& finding : result.findings) {
-        if (finding.message.empty() || finding.places.empty() || finding.fingerprint.size() != 16) std::abort();
+        if (finding.message.empty() || finding.places.empty() || finding.fingerprint.size() != 16)
+            std::abort();
         for (const ResolvedPlace& place : finding.places)
             if (place.line == 0 || place.column == 0 || place.file.empty()) std::abort();
     }
