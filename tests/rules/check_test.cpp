@@ -89,7 +89,7 @@ TEST_CASE("a deck that cannot be read is a result with the reason") {
 }
 
 TEST_CASE("rules are selected by code, family, name or ALL, and ignore wins unless select is closer") {
-    const auto selected = [](Selection s, std::string_view code) { return s(find_rule(code)->info); };
+    const auto selected = [](const Selection& s, std::string_view code) { return s(find_rule(code)->info); };
     CHECK(selected({}, "SYN001"));
     CHECK(selected({{"ALL"}, {}}, "SYN001"));
     CHECK(selected({{"SYN"}, {}}, "SYN001"));
