@@ -81,8 +81,9 @@ struct BoundingBox {
         lo = {std::min(lo.x, p.x - r), std::min(lo.y, p.y - r), std::min(lo.z, p.z - r)};
         hi = {std::max(hi.x, p.x + r), std::max(hi.y, p.y + r), std::max(hi.z, p.z + r)};
     }
-    bool holds(Vec3 p) const {
-        return p.x >= lo.x && p.y >= lo.y && p.z >= lo.z && p.x <= hi.x && p.y <= hi.y && p.z <= hi.z;
+    bool holds(Vec3 p) const { // without branches
+        return bool(int{p.x >= lo.x} & int{p.y >= lo.y} & int{p.z >= lo.z} & int{p.x <= hi.x} &
+                    int{p.y <= hi.y} & int{p.z <= hi.z});
     }
 };
 
@@ -97,6 +98,10 @@ struct Sample {
         constexpr std::size_t most = 1 << 16;
         const std::size_t step = mesh.segment.size() / most + 1;
         for (std::size_t s = 0; s < mesh.segment.size(); s += step) {
+            constexpr std::size_t ahead = 8;
+            if (s + ahead * step < mesh.segment.size())
+                for (const uint32_t row : mesh.segment[s + ahead * step])
+                    if (row < mesh.x.size()) __builtin_prefetch(&mesh.x[row]);
             const SegmentNodes n = mesh.segment[s];
             if (std::max({n[0], n[1], n[2], n[3]}) >= mesh.x.size()) continue;
             const Corners c{mesh.x[n[0]], mesh.x[n[1]], mesh.x[n[2]], mesh.x[n[3]]};
@@ -181,18 +186,29 @@ std::vector<uint64_t> rows_in(const std::vector<Ball>& balls, std::span<const Ve
         const Vec3 r{balls[i].radius, balls[i].radius, balls[i].radius};
         cells.each(balls[i].centre - r, balls[i].centre + r, visit);
     });
+    std::vector<uint64_t> occupied((cells.size() + 63) / 64, 0);
+    for (std::size_t c = 0; c < cells.size(); ++c)
+        if (!listing.in(c).empty()) occupied[c / 64] |= uint64_t{1} << (c % 64);
     constexpr std::size_t words = 1024;
     parallel_for(threads, (bits.size() + words - 1) / words, [&](std::size_t piece) {
         for (std::size_t w = piece * words; w < std::min(bits.size(), (piece + 1) * words); ++w) {
+            // Rows may stand in any order, so that no branch can be foreseen: first the box of all, for all
+            // rows.
+            const std::size_t begin = w * 64, count = std::min<std::size_t>(64, x.size() - begin);
             uint64_t word = 0;
-            for (std::size_t row = w * 64; row < std::min(x.size(), w * 64 + 64); ++row) {
-                const Vec3 p = x[row];
-                if (!box.holds(p)) continue;
-                for (const uint32_t b : listing.in(cells.number(cells.of(p))))
-                    if (squared_norm(p - balls[b].centre) <= balls[b].radius * balls[b].radius) {
-                        word |= uint64_t{1} << (row % 64);
-                        break;
-                    }
+            for (std::size_t k = 0; k < count; ++k)
+                word |= uint64_t{box.holds(x[begin + k])} << k;
+            for (uint64_t left = word; left != 0; left &= left - 1) {
+                const auto k = static_cast<std::size_t>(std::countr_zero(left));
+                const Vec3 p = x[begin + k];
+                const std::size_t c = cells.number(cells.of(p));
+                const auto in_ball = [&](uint32_t b) {
+                    return squared_norm(p - balls[b].centre) <= balls[b].radius * balls[b].radius;
+                };
+                const auto near = listing.in(c);
+                if ((occupied[c / 64] >> (c % 64) & 1) == 0 ||
+                    std::none_of(near.begin(), near.end(), in_ball))
+                    word &= ~(uint64_t{1} << k);
             }
             bits[w] = word;
         }
@@ -224,12 +240,14 @@ std::vector<uint32_t> segments_at(const SegmentArray& segment, const std::vector
     return all;
 }
 
-void sort_by_storage(const SegmentMesh& mesh, std::vector<uint32_t>& segments) {
+void sort_by_storage(const SegmentMesh& mesh, std::vector<uint32_t>& segments, unsigned threads) {
     if (!mesh.storage_key) return;
-    std::vector<std::pair<uint64_t, uint32_t>> keyed;
-    keyed.reserve(segments.size());
-    for (const uint32_t s : segments)
-        keyed.emplace_back(mesh.storage_key(s), s);
+    std::vector<std::pair<uint64_t, uint32_t>> keyed(segments.size());
+    constexpr std::size_t chunk = 4096;
+    parallel_for(threads, (keyed.size() + chunk - 1) / chunk, [&](std::size_t piece) {
+        for (std::size_t i = piece * chunk; i < std::min(keyed.size(), (piece + 1) * chunk); ++i)
+            keyed[i] = {mesh.storage_key(segments[i]), segments[i]};
+    });
     std::sort(keyed.begin(), keyed.end());
     for (std::size_t i = 0; i < keyed.size(); ++i)
         segments[i] = keyed[i].second;
@@ -238,9 +256,12 @@ void sort_by_storage(const SegmentMesh& mesh, std::vector<uint32_t>& segments) {
 /// The segments with local node numbers, which ascend with the rows.
 NearMesh renumbered(const SegmentMesh& mesh, std::vector<uint32_t> segments) {
     NearMesh m;
-    std::vector<uint64_t> used((mesh.x.size() + 63) / 64, 0);
+    m.segment.reserve(segments.size());
     for (const uint32_t s : segments)
-        for (const uint32_t row : mesh.segment[s])
+        m.segment.push_back(mesh.segment[s]);
+    std::vector<uint64_t> used((mesh.x.size() + 63) / 64, 0);
+    for (const SegmentNodes& n : m.segment)
+        for (const uint32_t row : n)
             used[row / 64] |= uint64_t{1} << (row % 64);
     std::vector<uint32_t> rank(used.size() + 1, 0); // nodes before each word
     for (std::size_t w = 0; w < used.size(); ++w)
@@ -262,7 +283,6 @@ NearMesh renumbered(const SegmentMesh& mesh, std::vector<uint32_t> segments) {
                static_cast<uint32_t>(std::popcount(used[row / 64] & ((uint64_t{1} << (row % 64)) - 1)));
     };
 
-    m.segment.reserve(segments.size());
     m.around_begin.assign(m.node_row.size() + 1, 0);
     const auto each_node = [](const SegmentNodes& n, auto&& visit) { // a node that is repeated once
         for (std::size_t k = 0; k < 4; ++k)
@@ -270,12 +290,11 @@ NearMesh renumbered(const SegmentMesh& mesh, std::vector<uint32_t> segments) {
                 n.begin() + static_cast<std::ptrdiff_t>(k))
                 visit(n[k]);
     };
-    for (const uint32_t s : segments) {
-        SegmentNodes n = mesh.segment[s];
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+        SegmentNodes& n = m.segment[i];
         for (uint32_t& node : n)
             node = local(node);
-        if (mesh.turn && mesh.turn(s)) n = turned(n);
-        m.segment.push_back(n);
+        if (mesh.turn && mesh.turn(segments[i])) n = turned(n);
         each_node(n, [&](uint32_t node) { ++m.around_begin[node + 1]; });
     }
     for (std::size_t i = 1; i < m.around_begin.size(); ++i)
@@ -306,7 +325,7 @@ NearSurface near_surface(const SegmentMesh& mesh, std::span<const Vec3> points, 
     }
     std::vector<uint32_t> segments =
         segments_at(mesh.segment, rows_in(merged(balls), mesh.x, threads), mesh.x.size(), threads);
-    sort_by_storage(mesh, segments);
+    sort_by_storage(mesh, segments, threads);
     out.mesh = renumbered(mesh, std::move(segments));
     return out;
 }
