@@ -136,4 +136,33 @@ SurfaceContact surface_contact(const SegmentMesh& surface, std::span<const BeadI
     return out;
 }
 
+std::vector<std::vector<uint32_t>> nodes_346(const SegmentMesh& surface, std::span<const BeadInput> beads,
+                                             unsigned threads) {
+    std::vector<Vec3> points;
+    for (const BeadInput& bead : beads)
+        points.insert(points.end(), bead.x.begin(), bead.x.end());
+    double reach = first_reach(surface);
+    while (true) {
+        const NearMesh mesh = near_mesh(surface, points, reach, threads);
+        std::vector<std::vector<uint32_t>> out(beads.size());
+        bool enough = !mesh.segment.empty();
+        for (std::size_t b = 0; b < beads.size() && enough; ++b) {
+            const BeadInput& bead = beads[b];
+            const StartSearch search(mesh, bead.x);
+            std::vector<uint8_t> warned(bead.x.size(), 0);
+            enough = for_all(threads, bead.x.size(), [&](std::size_t i) {
+                const std::optional<Track> track = solver_start(search, mesh, bead.x[i]);
+                if (!track) return false;
+                warned[i] = warns_346(mesh.corners(track->segment), is_triangle(mesh.segment[track->segment]),
+                                      bead.x[i], bead.ipri);
+                return true;
+            });
+            for (uint32_t i = 0; i < warned.size(); ++i)
+                if (warned[i]) out[b].push_back(i);
+        }
+        if (enough || mesh.cells.empty()) return out;
+        reach = next_reach(mesh, points, 2 * reach);
+    }
+}
+
 } // namespace drawbead

@@ -75,4 +75,9 @@ SurfaceContact surface_contact(const SegmentMesh&, std::span<const BeadInput>,
                                const std::function<SegmentStiffness(uint32_t)>& stiffness, double smallest_k,
                                std::span<const double> k_in_storage_order, const ContactOptions& = {});
 
+/// Places in the list of each bead that warning 346 names, ascending: the Starter's part of surface_contact
+/// alone.
+std::vector<std::vector<uint32_t>> nodes_346(const SegmentMesh&, std::span<const BeadInput>,
+                                             unsigned threads = 1);
+
 } // namespace drawbead

@@ -84,6 +84,8 @@ public:
     const std::vector<NodeGroup>& groups() const { return groups_; }
     const std::vector<Surface>& surfaces() const { return surfaces_; }
     const std::optional<Admesh>& admesh() const { return admesh_; }
+    /// Ipri of /IOFLAG, 0 without it: how much the Starter prints.
+    int64_t ipri() const { return ipri_; }
     const std::vector<ReadIssue>& issues() const { return issues_; }
 
     /// What holds the node; empty unless Needs::attachments, and only for nodes of drawbead groups.
@@ -116,6 +118,7 @@ private:
     std::vector<NodeGroup> groups_;
     std::vector<Surface> surfaces_;
     std::optional<Admesh> admesh_;
+    int64_t ipri_ = 0;
     std::map<uint32_t, std::vector<Attachment>> attachments_; ///< by node row
     std::vector<ReadIssue> issues_;
 };

@@ -53,6 +53,12 @@ private:
                 const Card card = reader.card(admesh_global_card);
                 model_.admesh_ = Admesh{i, card["Level"].integer, card["Idt"].integer};
             }
+        for (BlockIndex i = 0; i < deck_.blocks().size(); ++i)
+            if (deck_.blocks()[i].keyword == "IOFLAG") {
+                OptionReader reader(deck_, i, issues_, false);
+                model_.ipri_ = reader.card(ioflag_card)["Ipri"].integer;
+                break;
+            }
         take_references();
         if (with_nodes()) transforms_ = read_transforms(deck_, issues_);
         if (has(needs_, Needs::attachments) && !model_.drawbeads_.empty())

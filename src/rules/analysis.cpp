@@ -3,37 +3,15 @@
 #include "base/parallel.h"
 #include "geometry/segment_shape.h"
 #include "rules/srf/near_surface.h"
+#include "scene/deck_contact.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <utility>
 
 namespace drawbead {
 
 namespace {
-
-static_assert(sizeof(NodeRow) == sizeof(uint32_t) && offsetof(Segment, n) == 0,
-              "segments are seen through SegmentArray");
-
-Vec3 centre_of(const Model& model, uint32_t solid) {
-    Vec3 sum;
-    double count = 0;
-    for (const NodeRow row : model.solids().nodes[solid])
-        if (row != no_node) {
-            sum += model.nodes()[row];
-            ++count;
-        }
-    return count > 0 ? sum / count : sum;
-}
-
-bool looks_inward(const Model& model, const Segment& s) {
-    if (!s.solid_backed || s.kind != ElementKind::solid) return false;
-    Corners c;
-    for (std::size_t k = 0; k < 4; ++k)
-        c[k] = model.nodes()[s.n[k]];
-    return !faces_away(c, centre_of(model, s.element));
-}
 
 /// The bead as its list says: line, limits, totals.
 BeadAnalysis analyse_line(const Model& model, const Drawbead& bead) {
@@ -148,18 +126,6 @@ void judge(const Surface& surface, const NearMesh& near, BeadAnalysis& a) {
 
 } // namespace
 
-SegmentMesh segment_mesh(const Model& model, const Surface& surface) {
-    SegmentMesh mesh;
-    mesh.segment = SegmentArray(surface.segments.data(), surface.segments.size(), sizeof(Segment));
-    mesh.x = model.nodes().x.span();
-    mesh.node_id = model.nodes().id.span();
-    if (!surface.in_storage_order)
-        mesh.storage_key = [&](uint32_t segment) { return model.storage_key(surface, segment); };
-    if (model.solids().size() != 0)
-        mesh.turn = [&](uint32_t segment) { return looks_inward(model, surface.segments[segment]); };
-    return mesh;
-}
-
 Analysis analyse(const Deck&, const Model& model, Needs needs, unsigned threads) {
     Analysis out;
     out.beads.reserve(model.drawbeads().size());
@@ -178,6 +144,8 @@ Analysis analyse(const Deck&, const Model& model, Needs needs, unsigned threads)
         if (has(needs, analysis_clashes))
             out.surfaces[s].clashes = edge_clashes(surface.segments.span(), model.nodes().size(), threads);
     }
+    if (has(needs, Needs::coordinates) && has(needs, Needs::blank_elements))
+        out.starter = starter_of(model, threads);
     if (!lines) return out;
     parallel_for(threads, out.beads.size(), [&](std::size_t i) {
         BeadAnalysis& a = out.beads[i];

@@ -3,6 +3,7 @@
 // and which way it looks.
 #include "bead/bead_line.h"
 #include "bead/line_check.h"
+#include "contact/blank_stiffness.h"
 #include "contact/closest_segment.h"
 #include "contact/segment_mesh.h"
 #include "model/model.h"
@@ -57,13 +58,12 @@ struct SurfaceAnalysis {
 struct Analysis {
     std::vector<BeadAnalysis> beads;       ///< as Model::drawbeads()
     std::vector<SurfaceAnalysis> surfaces; ///< as Model::surfaces()
+    std::vector<StarterVerdict> starter;   ///< as Model::drawbeads(); empty unless coordinates and blank
+                                           ///< elements were asked for
 };
 
 /// Computes what `needs` names. The model must outlive the result, which does not depend on the count of
 /// threads.
 Analysis analyse(const Deck&, const Model&, Needs needs, unsigned threads);
-
-/// A segment as the mathematics sees a main surface.
-SegmentMesh segment_mesh(const Model&, const Surface&);
 
 } // namespace drawbead

@@ -3,6 +3,7 @@
 #include "base/parallel.h"
 #include "rules/analysis.h"
 #include "rules/text.h"
+#include "scene/starter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -214,6 +215,7 @@ DeckResult check_deck(const std::string& path, FileReader& reader, const ReadOpt
     DeckResult result;
     result.path = path;
     result.info = describe(deck, model);
+    if (!analysis.starter.empty()) result.starter = starter_messages(model, analysis.starter);
     for (Sorted& one : all)
         result.findings.push_back(std::move(one.finding));
     return result;

@@ -1,5 +1,5 @@
 #pragma once
-// Cards of options that act on nodes: /TRANSFORM, /BOX, rigid bodies, conditions; and /ADMESH/GLOBAL.
+// Cards of options that act on nodes: /TRANSFORM, /BOX, rigid bodies, conditions; /ADMESH/GLOBAL and /IOFLAG.
 #include "deck/card.h"
 
 namespace drawbead {
@@ -11,6 +11,9 @@ inline constexpr Field admesh_global_fields[] = {
     {.name = "Idt", .column = 41, .since = 90},
 };
 inline constexpr CardSchema admesh_global_card{"adaptive meshing", admesh_global_fields};
+
+inline constexpr Field ioflag_fields[] = {{.name = "Ipri", .column = 1}};
+inline constexpr CardSchema ioflag_card{"output flags", ioflag_fields};
 
 /// First card of TRA (a vector), ROT and SYM (a point) and, with a fourth value, MATRIX (a row and a shift).
 inline constexpr Field transform_first_fields[] = {
