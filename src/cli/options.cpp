@@ -46,17 +46,18 @@ private:
     Words option_names(const CLI::App& command) const;
 
     CLI::App app_{"Checks drawbeads (/INTER/TYPE8) of Radioss and OpenRadioss starter decks.", "drawbead"};
-    CLI::App *check_, *info_, *rules_, *explain_, *schema_, *completion_;
+    CLI::App *check_, *table_, *info_, *rules_, *explain_, *schema_, *completion_;
     CheckCommand check_values_;
+    TableCommand table_values_;
     InfoCommand info_values_;
     RulesCommand rules_values_;
     ExplainCommand explain_values_;
     SchemaCommand schema_values_;
     CompletionCommand completion_values_;
     std::deque<Choice> choices_;
-    Choice *check_format_, *fail_on_, *colour_, *info_format_, *rules_format_;
+    Choice *check_format_, *fail_on_, *colour_, *table_format_, *info_format_, *rules_format_;
     Words select_, ignore_;
-    std::string threads_;
+    std::string threads_, interface_;
     std::map<const CLI::Option*, Words>
         suggestions_; ///< for completion, of options that take other words too
 };
@@ -101,6 +102,17 @@ Parser::Parser() {
     check_->add_flag("-q,--quiet", check_values_.output.quiet, "No summary and no progress");
     reading_options(check_, check_values_.reading);
 
+    table_ =
+        app_.add_subcommand("table", "Say what every bead node meets: limits, segment, stiffness; and sums");
+    table_->add_option("DECK", table_values_.path, "The deck, - for standard input")
+        ->required()
+        ->type_name("");
+    table_->add_option("--interface", interface_, "Only the /INTER/TYPE8 with this id")->type_name("ID");
+    table_format_ = &choice(table_, "--format", {"text", "csv", "json"}, "How it is printed");
+    table_->add_option("-o,--output", table_values_.file, "Write to a file, all at once when complete")
+        ->type_name("FILE");
+    reading_options(table_, table_values_.reading);
+
     info_ = app_.add_subcommand("info", "Say what was read of a deck");
     info_->add_option("DECK", info_values_.path, "The deck, - for standard input")->required()->type_name("");
     info_format_ = &choice(info_, "--format", {"text", "json"}, "How it is printed");
@@ -115,9 +127,11 @@ Parser::Parser() {
             with_names;
 
     schema_ = app_.add_subcommand("schema", "Print the JSON Schema of a document");
-    suggestions_[schema_->add_option("NAME", schema_values_.name, "report: what check --format json writes")
+    suggestions_[schema_
+                     ->add_option("NAME", schema_values_.name,
+                                  "report: what check --format json writes; table: what table does")
                      ->required()
-                     ->type_name("")] = {"report"};
+                     ->type_name("")] = {"report", "table"};
 
     completion_ = app_.add_subcommand("completion", "Print a completion script for a shell");
     suggestions_[completion_->add_option("SHELL", completion_values_.shell, "bash, zsh or fish")
@@ -165,9 +179,11 @@ std::optional<UsageError> Parser::finish() {
     check_values_.format = static_cast<Format>(index(*check_format_));
     check_values_.fail_on = static_cast<FailOn>(index(*fail_on_));
     check_values_.output.colour = static_cast<ColourMode>(index(*colour_));
+    table_values_.format = static_cast<TableFormat>(index(*table_format_));
     info_values_.json = index(*info_format_) == 1;
     rules_values_.json = index(*rules_format_) == 1;
     if (check_values_.output.file == "-") check_values_.output.file.clear();
+    if (table_values_.file == "-") table_values_.file.clear();
 
     const auto split = [](const Words& lists, Words& entries) {
         for (const std::string& list : lists) {
@@ -182,6 +198,15 @@ std::optional<UsageError> Parser::finish() {
     split(select_, check_values_.select);
     split(ignore_, check_values_.ignore);
 
+    if (!interface_.empty()) {
+        int64_t id = 0;
+        const char* end = interface_.data() + interface_.size();
+        const auto [stop, error] = std::from_chars(interface_.data(), end, id);
+        if (error != std::errc() || stop != end)
+            return UsageError{"--interface needs the id of a /INTER/TYPE8, not '" + interface_ + "'",
+                              "see 'drawbead table --help'"};
+        table_values_.interface_id = id;
+    }
     if (!threads_.empty()) {
         constexpr unsigned most = 1024;
         unsigned threads = 0;
@@ -190,7 +215,8 @@ std::optional<UsageError> Parser::finish() {
         if (error != std::errc() || stop != end || threads > most)
             return UsageError{"-j needs a number of threads, not '" + threads_ + "'",
                               "please give 0 (all cores) to 1024"};
-        check_values_.reading.threads = info_values_.reading.threads = threads;
+        check_values_.reading.threads = table_values_.reading.threads = info_values_.reading.threads =
+            threads;
     }
     return std::nullopt;
 }
@@ -254,6 +280,7 @@ std::variant<Command, UsageError> Parser::parse(int argc, const char* const* arg
     }
     if (std::optional<UsageError> error = finish()) return *error;
     if (check_->parsed()) return Command{check_values_};
+    if (table_->parsed()) return Command{table_values_};
     if (info_->parsed()) return Command{info_values_};
     if (rules_->parsed()) return Command{rules_values_};
     if (explain_->parsed()) return Command{explain_values_};

@@ -1,5 +1,6 @@
 #pragma once
 // The command line as plain structs: whatever parses it stays in options.cpp.
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -36,6 +37,16 @@ struct CheckCommand {
     OutputArguments output;
 };
 
+enum class TableFormat { text, csv, json };
+
+struct TableCommand {
+    std::string path;
+    std::optional<int64_t> interface_id; ///< of the only one wanted
+    TableFormat format = TableFormat::text;
+    std::string file; ///< empty: standard output
+    ReadArguments reading;
+};
+
 struct InfoCommand {
     std::string path;
     bool json = false;
@@ -63,8 +74,8 @@ struct PrintCommand {
     std::string text;
 };
 
-using Command = std::variant<CheckCommand, InfoCommand, RulesCommand, ExplainCommand, SchemaCommand,
-                             CompletionCommand, PrintCommand>;
+using Command = std::variant<CheckCommand, TableCommand, InfoCommand, RulesCommand, ExplainCommand,
+                             SchemaCommand, CompletionCommand, PrintCommand>;
 
 /// A command line that cannot be understood.
 struct UsageError {

@@ -21,7 +21,9 @@ SegmentNodes nodes_of(const Segment& segment) {
 
 void take_segment(const Model& model, const InterfaceContact& one, std::size_t i, BeadTableRow& row) {
     const BeadNodeContact& node = one.contact.node[i];
+    if (node.segment == no_segment || node.closest == no_segment) return; // positions that are no numbers
     const Drawbead& bead = *one.bead;
+    row.met = true;
     row.tributary = node.solver_tributary;
     row.n = user_ids(model, node.nodes);
     row.xi = node.xi;
@@ -72,13 +74,13 @@ BeadTable bead_table(const Model& model, const InterfaceContact& one) {
         row.tributary = one.line.tributary[i];
         row.fn_limit = one.fn[i];
         row.ft_limit = one.ft[i];
-        if (!table.on_surface()) continue;
-        take_segment(model, one, i, row);
+        if (table.on_surface()) take_segment(model, one, i, row);
+        if (!row.met) continue;
         BeadTotals& totals = table.totals;
         totals.inside += row.inside;
         totals.different_segments += !row.same_segment;
         const double difference = std::abs(row.distance - row.closest_distance);
-        if (i == 0 || difference > totals.largest_difference) {
+        if (totals.largest_difference_node == 0 || difference > totals.largest_difference) {
             totals.largest_difference = difference;
             totals.largest_difference_node = row.node;
         }
