@@ -5,8 +5,8 @@ natural_0000.rad   ids and lines in mesh order, eight decimals
 shuffled_0000.rad  node and element ids and the order of their lines shuffled, 15 significant digits, every other line
                    in E format, so that cells touch
 
-Both hold the same gently waved blank of quads, one part, and four beads over it that /BCS keeps in place. Nothing in
-them is wrong: a checker has to look at everything and find nothing. The same arguments give the same bytes.
+Both hold the same gently waved blank of quads, one part, and beads (four by default) over it that /BCS keeps in place.
+Nothing in them is wrong: a checker has to look at everything and find nothing. The same arguments give the same bytes.
 """
 import argparse
 import math
@@ -58,14 +58,13 @@ bead {ident}
                  0.0{ft_last:20.1f}
 """
 
-BEADS = 4
 LINES_AT_ONCE = 50000
 
 
 class Blank:
     """nx by ny nodes about 1 mm apart, then the nodes of the beads 3 mm above them."""
 
-    def __init__(self, nodes):
+    def __init__(self, nodes, beads=4, bead_nodes=None):
         self.nx = max(4, round(math.sqrt(1.25 * nodes)))
         self.ny = max(6, nodes // self.nx)
         self.count = self.nx * self.ny
@@ -76,15 +75,18 @@ class Blank:
             self.x.extend(10.0 + i + 0.05 * sine(0.013 * i + 0.7 * j) for i in range(self.nx))
             self.y.extend(10.0 + j + 0.05 * cosine(0.7 * i + 0.011 * j) for i in range(self.nx))
             self.z.extend(waved)
-        self.bead_nodes = min(500, self.nx - 3)
-        self.beads = [self.add_bead(b) for b in range(BEADS)]
+        # At most 0.97 mm from node to node; a bead of more nodes than the blank is long has them closer.
+        self.bead_nodes = bead_nodes or min(500, self.nx - 3)
+        self.step = min(0.97, (self.nx - 3.5) / self.bead_nodes)
+        self.bead_count = beads
+        self.beads = [self.add_bead(b) for b in range(beads)]
 
     def add_bead(self, bead):
-        """A line along x, slightly bent, with steps of 0.97 mm; returns the indices of its nodes."""
+        """A line along x, slightly bent, with equal steps; returns the indices of its nodes."""
         first = len(self.x)
-        middle_x, middle_y = self.nx / 2.0, (bead + 1) * self.ny / (BEADS + 1.0)
+        middle_x, middle_y = self.nx / 2.0, (bead + 1) * self.ny / (self.bead_count + 1.0)
         for k in range(self.bead_nodes):
-            i = middle_x + 0.97 * (k - (self.bead_nodes - 1) / 2.0)
+            i = middle_x + self.step * (k - (self.bead_nodes - 1) / 2.0)
             j = middle_y + 0.5 * math.sin(i / 40.0)
             slope_x = 5.0 / 97.0 * math.cos(i / 97.0) * math.cos(j / 83.0)
             slope_y = -5.0 / 83.0 * math.sin(i / 97.0) * math.sin(j / 83.0)
@@ -124,7 +126,7 @@ def write_deck(path, blank, shuffled):
         return list(map(column.__getitem__, rows))
 
     with open(path, "wb") as out:
-        out.write(HEAD.format(name=path.name[:-9], nodes=len(blank.x), shells=len(shells), beads=BEADS,
+        out.write(HEAD.format(name=path.name[:-9], nodes=len(blank.x), shells=len(shells), beads=len(blank.beads),
                               bead_nodes=blank.bead_nodes).encode())
         out.write(b"/NODE\n#  node_ID                   X                   Y                   Z\n")
         write_lines(out, node_lines, [gather(c, node_order) for c in (node_id, blank.x, blank.y, blank.z)])
@@ -144,12 +146,15 @@ def write_deck(path, blank, shuffled):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--nodes", type=int, default=2_000_000, help="nodes of the blank, about as many shells")
+    parser.add_argument("--beads", type=int, default=4)
+    parser.add_argument("--bead-nodes", type=int,
+                        help="nodes of each bead (default: 500, fewer on a small blank)")
     parser.add_argument("--out", type=Path, required=True, help="folder for the decks")
     parser.add_argument("--only", choices=["natural", "shuffled"], help="write one of the two")
     arguments = parser.parse_args()
     arguments.out.mkdir(parents=True, exist_ok=True)
     started = time.monotonic()
-    blank = Blank(arguments.nodes)
+    blank = Blank(arguments.nodes, arguments.beads, arguments.bead_nodes)
     for name in ("natural", "shuffled"):
         if arguments.only in (None, name):
             path = arguments.out / f"{name}_0000.rad"

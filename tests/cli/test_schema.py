@@ -68,6 +68,21 @@ class Schema(CommandLineTest):
         self.assertEqual([counts.count(name) for name in ("error", "warning", "info")],
                          [report["summary"][name] for name in ("errors", "warnings", "infos")])
 
+    def test_table(self):
+        schema = json.loads((ROOT / "schemas" / "table.schema.json").read_text())
+        jsonschema.Draft7Validator.check_schema(schema)
+        status, out, _ = self.run_tool("schema", "table")
+        self.assertEqual((status, json.loads(out)), (0, schema))
+        validator = jsonschema.Draft7Validator(strict(schema))
+        self.write("lost_group_0000.rad", tiny(group=9))
+        self.write("lost_surface_0000.rad", tiny().replace("/SURF/PART/1", "/SURF/PART/4"))
+        self.write("empty_list_0000.rad", tiny().replace("        11        12        13\n", ""))
+        for deck in [*sorted(SAMPLES.glob("*_0000.rad")), *sorted(self.folder.glob("*_0000.rad"))]:
+            with self.subTest(deck.name):
+                status, out, _ = self.run_tool("table", deck, "--format", "json")
+                self.assertEqual(status, 0)
+                validator.validate(loads(out))
+
     def test_info(self):
         for deck in sorted(SAMPLES.glob("*_0000.rad")):
             info = loads(self.run_tool("info", deck, "--format", "json")[1])

@@ -4,7 +4,7 @@ using namespace drawbead;
 
 namespace {
 
-const std::string tail = mesh() + part_surface + bead_line;
+const std::string tail = mesh() + part_surface + bead_group;
 
 } // namespace
 

@@ -105,7 +105,7 @@ inline std::string mesh() {
     return text + "/SHELL/1\n" + ids({1, 1, 2, 5, 4}) + ids({2, 2, 3, 6, 5});
 }
 inline const std::string part_surface = "/SURF/PART/1\nblank top\n         1\n";
-inline const std::string bead_line = "/GRNOD/NODENS/2\nbead line\n" + ids({101, 102, 103});
+inline const std::string bead_group = "/GRNOD/NODENS/2\nbead line\n" + ids({101, 102, 103});
 /// /INTER/TYPE8 on node group 2 and surface 1.
 inline const std::string drawbead_block = "/INTER/TYPE8/1\nbead\n"
                                           "         2         1                   2\n" +

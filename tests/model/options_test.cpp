@@ -9,7 +9,8 @@ using namespace drawbead;
 namespace {
 
 Built with(const std::string& options, int version = 2022) {
-    return build(begin_of(version) + mesh() + part_surface + bead_line + options + drawbead_block + "/END\n");
+    return build(begin_of(version) + mesh() + part_surface + bead_group + options + drawbead_block +
+                 "/END\n");
 }
 
 /// Where bead node 101, at (5, 5, 3) without transformation, is.

@@ -10,7 +10,7 @@ using Segments = std::vector<std::vector<uint32_t>>;
 
 /// The mesh of the smallest drawbead, with a triangle 1 (part 1) on nodes 3, 6, 103 besides.
 Built with_surface(const std::string& surface, const std::string& more = "") {
-    return build(begin_of(2022) + mesh() + "/SH3N/1\n" + ids({1, 3, 6, 103}) + bead_line + surface + more +
+    return build(begin_of(2022) + mesh() + "/SH3N/1\n" + ids({1, 3, 6, 103}) + bead_group + surface + more +
                  drawbead_block + "/END\n");
 }
 
@@ -29,7 +29,7 @@ std::string cubes() {
 }
 
 Built with_cubes(const std::string& surface, const std::string& more = "") {
-    return build(begin_of(2022) + cubes() + bead_line + surface + more + drawbead_block + "/END\n");
+    return build(begin_of(2022) + cubes() + bead_group + surface + more + drawbead_block + "/END\n");
 }
 
 /// Whether the normals of all solid-backed segments point away from the middle of the model.

@@ -16,7 +16,7 @@ const std::string soft =
 /// The smallest deck with the first shell in part 1 and the second in a part 2 of its own.
 std::string two_parts(const std::string& second, const std::string& surface) {
     std::string text = begin_of(2022) + mesh() + thick + soft + "/PART/2\nsecond\n" + second + surface +
-                       bead_line + drawbead_block;
+                       bead_group + drawbead_block;
     const std::string row = ids({2, 2, 3, 6, 5});
     text.replace(text.find(row), row.size(), "");
     return text + "/SHELL/2\n" + row;
@@ -26,7 +26,7 @@ const std::string both = "/SURF/PART/1\nboth\n         1         2\n";
 } // namespace
 
 TEST_CASE("thickness is the property's, the modulus the material's") {
-    const Built built = build(begin_of(2022) + mesh() + part_surface + bead_line + drawbead_block);
+    const Built built = build(begin_of(2022) + mesh() + part_surface + bead_group + drawbead_block);
     const SurfaceStiffness stiffness(built.model, built.surface(), 1);
     CHECK(stiffness(0).k == 0.2 * 210000 * 1.0);
     CHECK(stiffness(0).half_thickness == 0.5);
@@ -63,7 +63,7 @@ TEST_CASE("a part that lacks its material is a doubt and takes no part in the mi
 
 TEST_CASE("a listed segment without element has no stiffness and no place in the minimum") {
     const Built built = build(begin_of(2022) + mesh() + "/SURF/SEG/1\nlisted\n" + ids({1, 1, 2, 5, 4}) +
-                              ids({2, 1, 3, 6, 4}) + bead_line + drawbead_block);
+                              ids({2, 1, 3, 6, 4}) + bead_group + drawbead_block);
     const SurfaceStiffness stiffness(built.model, built.surface(), 1);
     REQUIRE(built.surface().segments.size() == 2);
     CHECK(stiffness(0).k == 42000);
@@ -79,7 +79,7 @@ TEST_CASE("the face of a tetrahedron stands on the volume of the solver's stored
         "/NODE\n" + node(1, "0.", "0.", "0.") + node(2, "10.", "0.", "0.") + node(3, "0.", "10.", "0.") +
         node(4, "0.", "0.", "-10.") + node(101, "1.", "1.", "3.") + node(102, "2.", "2.", "3.") +
         node(103, "3.", "3.", "3.") + "/TETRA4/1\n" + ids({1, 1, 2, 3, 4}) + "/SURF/SEG/1\nlisted\n" +
-        ids({1, 1, 2, 3, 3}) + bead_line + drawbead_block;
+        ids({1, 1, 2, 3, 3}) + bead_group + drawbead_block;
     const Built built = build(text);
     const SurfaceStiffness stiffness(built.model, built.surface(), 1);
     const double volume = 1000.0 / 6, bulk = 210000 / (3 * (1 - 2 * 0.3));
@@ -90,8 +90,8 @@ TEST_CASE("the face of a tetrahedron stands on the volume of the solver's stored
 
 TEST_CASE("Ipri of /IOFLAG keeps the Starter quiet about nodes beside the blank") {
     // The bead runs past the blank's end; turned round, the blank is on its wrong side everywhere.
-    std::string text = begin_of(2022) + mesh() + "/SURF/PART/1\nblank, from below\n        -1\n" + bead_line +
-                       drawbead_block;
+    std::string text = begin_of(2022) + mesh() + "/SURF/PART/1\nblank, from below\n        -1\n" +
+                       bead_group + drawbead_block;
     const std::string last = node(103, "15.0", "5.0", "3.0");
     text.replace(text.find(last), last.size(), node(103, "25.0", "5.0", "3.0"));
     const Built quiet = build(text + "/IOFLAG\n" + ids({1})), talking = build(text);

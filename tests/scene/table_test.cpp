@@ -14,7 +14,7 @@ DeckTable table_of_text(const std::string& text, std::optional<InterfaceId> only
 }
 
 std::string deck(const std::string& rest = {}) {
-    return begin_of(2022) + mesh() + part_surface + bead_line + drawbead_block + rest;
+    return begin_of(2022) + mesh() + part_surface + bead_group + drawbead_block + rest;
 }
 
 const std::string second_bead = "/GRNOD/NODENS/3\nhalf\n" + ids({102, 103}) +
