@@ -17,7 +17,7 @@ struct BeadTableRow {
                           ///< the half chord itself
     double fn_limit = 0, ft_limit = 0; ///< per length
 
-    bool met = false; ///< the node meets a segment; else what follows is not known
+    bool met = false;           ///< the node meets a segment; else what follows is not known
     std::array<int64_t, 4> n{}; ///< user ids in the solver's order; a triangle repeats its third
     double xi = 0, eta = 0;
     bool inside = false;
