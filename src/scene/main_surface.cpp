@@ -54,8 +54,7 @@ SegmentMesh segment_mesh(const Model& model, const Surface& surface) {
 SurfaceStiffness::SurfaceStiffness(const Model& model, const Surface& surface, unsigned threads)
     : model_(model), surface_(surface), shells4_(ranges_of(model, model.shells4().ranges, false)),
       shells3_(ranges_of(model, model.shells3().ranges, false)),
-      solids_(ranges_of(model, model.solids().ranges, true)) {
-    same_ = same_everywhere();
+      solids_(ranges_of(model, model.solids().ranges, true)), same_(same_everywhere()) {
     if (same_)
         smallest_ = (*this)(0).smallest;
     else
