@@ -307,13 +307,14 @@ class Deck:
 
 
 class Fragment(Deck):
-    """Lines of an included file: no frame of its own."""
+    """Lines of an included file: no frame of its own. Some releases of the solver lose the last block of an
+    include that does not end with #enddata."""
 
     def __init__(self, units, about):
         self.units, self.lines = units, list(about)
 
     def text(self):
-        return "\n".join([*self.lines, ""])
+        return "\n".join([*self.lines, "#enddata", ""])
 
 
 def trapezoid(start, rise, hold, fall, peak):

@@ -49,9 +49,20 @@ void check_list(BeadAnalysis& a) {
 
 constexpr SideLimits side_limits{};
 
+/// Another layer of the surface as far from a bead node as the closest one, or little farther.
+void find_other_layer(const NearMesh& mesh, const ClosestSegment& closest, Vec3 x, BeadHit& h) {
+    constexpr double ratio = 1.5, elements = 2; // as ContactOptions
+    const double distance = h.closest.foot.distance;
+    const double within = std::min(ratio * distance, distance + elements * h.element);
+    if (const auto other = closest.other_layer(x, h.closest, within)) {
+        h.other_layer = mesh.segment_index[other->segment];
+        h.other_layer_distance = other->d;
+    }
+}
+
 /// Exact closest segments of all beads of a surface, and the part of the surface around them.
 void find_closest(const Model& model, const Surface& surface, const std::vector<BeadAnalysis*>& beads,
-                  SurfaceAnalysis& out, bool sides, unsigned threads) {
+                  SurfaceAnalysis& out, bool sides, bool layers, unsigned threads) {
     std::vector<Vec3> points;
     for (const BeadAnalysis* a : beads)
         points.insert(points.end(), a->x.begin(), a->x.end());
@@ -74,6 +85,7 @@ void find_closest(const Model& model, const Surface& surface, const std::vector<
                     h.closest = closest.find(a->x[i]);
                     h.segment = near.mesh.segment_index[h.closest.segment];
                     h.element = std::sqrt(area(near.mesh.corners(h.closest.segment)));
+                    if (layers) find_other_layer(near.mesh, closest, a->x[i], h);
                 }
             });
             for (std::size_t i = 0; sides && i < a->x.size(); ++i)
@@ -140,7 +152,14 @@ Analysis analyse(const Deck&, const Model& model, Needs needs, unsigned threads)
         for (BeadAnalysis& a : out.beads)
             if (a.surface == &surface && !a.x.empty()) beads.push_back(&a);
         if (has(needs, analysis_closest))
-            find_closest(model, surface, beads, out.surfaces[s], has(needs, analysis_sides), threads);
+            find_closest(model, surface, beads, out.surfaces[s], has(needs, analysis_sides),
+                         has(needs, analysis_layers), threads);
+        if (has(needs, analysis_blank)) {
+            std::size_t most_nodes = 0;
+            for (const BeadAnalysis* a : beads)
+                most_nodes = std::max(most_nodes, a->x.size());
+            if (most_nodes != 0) out.surfaces[s].blank = blank_of(model, surface, most_nodes);
+        }
         if (has(needs, analysis_clashes))
             out.surfaces[s].clashes = edge_clashes(surface.segments.span(), model.nodes().size(), threads);
     }

@@ -9,6 +9,7 @@
 #include "model/model.h"
 #include "rules/srf/bead_side.h"
 #include "rules/srf/edge_clash.h"
+#include "rules/stb/blank.h"
 
 #include <cstdint>
 #include <vector>
@@ -18,17 +19,21 @@ namespace drawbead {
 /// What rules need beside the model. A rule puts these into its `needs`; bits from 2^16 on belong to the
 /// analysis.
 inline constexpr Needs analysis_lines{1u << 16}, analysis_closest{1u << 17}, analysis_sides{1u << 18},
-    analysis_clashes{1u << 19};
+    analysis_clashes{1u << 19}, analysis_blank{1u << 20}, analysis_layers{1u << 21};
 inline constexpr Needs needs_lines = analysis_lines | Needs::coordinates;
 inline constexpr Needs needs_closest = analysis_closest | needs_lines | Needs::blank_elements;
 inline constexpr Needs needs_sides = analysis_sides | needs_closest;
+inline constexpr Needs needs_blank = analysis_blank | needs_closest;
+inline constexpr Needs needs_layers = analysis_layers | needs_sides;
 inline constexpr Needs needs_clashes = analysis_clashes | Needs::coordinates | Needs::blank_elements;
 
 /// The segment under a bead node.
 struct BeadHit {
     uint32_t segment = no_segment; ///< index in the surface; no_segment where the surface has none
     ClosestHit closest;
-    double element = 0; ///< root of the segment's area
+    double element = 0;                ///< root of the segment's area
+    uint32_t other_layer = no_segment; ///< of the surface, at a similar distance, when layers were asked for
+    double other_layer_distance = 0;   ///< signed
 };
 
 /// One interface. Vectors run along its list; they are empty for what was not asked for or cannot be had.
@@ -53,6 +58,7 @@ struct BeadAnalysis {
 struct SurfaceAnalysis {
     NearMesh near; ///< around all its beads
     EdgeClashes clashes;
+    SurfaceBlank blank;
 };
 
 struct Analysis {

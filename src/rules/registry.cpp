@@ -9,6 +9,14 @@ namespace drawbead {
 // The one table of rules: one line per rule, sorted by code (a test sees to it).
 #define DRAWBEAD_RULES(RULE)                                                                                 \
     RULE(CTX001)                                                                                             \
+    RULE(ENG001)                                                                                             \
+    RULE(ENG002)                                                                                             \
+    RULE(ENG003)                                                                                             \
+    RULE(ENG004)                                                                                             \
+    RULE(ENG005)                                                                                             \
+    RULE(ENG007)                                                                                             \
+    RULE(ENG008)                                                                                             \
+    RULE(ENG009)                                                                                             \
     RULE(LIN001)                                                                                             \
     RULE(LIN002)                                                                                             \
     RULE(LIN003)                                                                                             \
@@ -22,6 +30,7 @@ namespace drawbead {
     RULE(LIN011)                                                                                             \
     RULE(LIN012)                                                                                             \
     RULE(LIN013)                                                                                             \
+    RULE(LIN014)                                                                                             \
     RULE(PAR001)                                                                                             \
     RULE(PAR002)                                                                                             \
     RULE(PAR003)                                                                                             \
@@ -46,7 +55,15 @@ namespace drawbead {
     RULE(SRF004)                                                                                             \
     RULE(SRF005)                                                                                             \
     RULE(SRF006)                                                                                             \
+    RULE(SRF007)                                                                                             \
     RULE(SRF008)                                                                                             \
+    RULE(SRF009)                                                                                             \
+    RULE(SRF010)                                                                                             \
+    RULE(SRF011)                                                                                             \
+    RULE(STB001)                                                                                             \
+    RULE(STB002)                                                                                             \
+    RULE(STB003)                                                                                             \
+    RULE(STB005)                                                                                             \
     RULE(STB006)                                                                                             \
     RULE(SYN001)                                                                                             \
     RULE(SYN002)                                                                                             \

@@ -8,26 +8,13 @@ namespace drawbead {
 
 namespace {
 
-/// The list cut at its gaps.
-std::vector<std::vector<uint32_t>> pieces_of(const BeadAnalysis& a) {
-    std::vector<std::vector<uint32_t>> pieces;
-    const std::vector<uint32_t> starts = a.check.piece_starts();
-    for (std::size_t p = 0; p < starts.size(); ++p) {
-        const uint32_t end = p + 1 < starts.size() ? starts[p + 1] : static_cast<uint32_t>(a.x.size());
-        pieces.emplace_back();
-        for (uint32_t i = starts[p]; i < end; ++i)
-            pieces.back().push_back(i);
-    }
-    return pieces;
-}
-
 void check(const RuleContext& context, FindingSink& sink) {
     for (const BeadAnalysis* a : beads_with_order(context)) {
         const std::vector<LineHop>& gaps = a->check.gaps;
         if (gaps.empty()) continue;
         const LineHop& longest = *std::max_element(
             gaps.begin(), gaps.end(), [](const LineHop& p, const LineHop& q) { return p.length < q.length; });
-        const Forces apart = forces_of_pieces(*a, pieces_of(*a));
+        const Forces apart = forces_of_pieces(*a, list_pieces(*a));
         const double fn = a->fn_total - apart.fn, ft = a->ft_total - apart.ft;
         const UnitSystem& units = context.deck.work_units();
 

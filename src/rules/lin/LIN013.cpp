@@ -10,10 +10,6 @@ namespace drawbead {
 
 namespace {
 
-bool windows_overlap(const Drawbead& a, const Drawbead& b) {
-    return std::max(a.t_start, b.t_start) <= std::min(a.t_stop, b.t_stop);
-}
-
 void check(const RuleContext& context, FindingSink& sink) {
     const std::vector<const BeadAnalysis*> beads = beads_with_nodes(context);
     // The first bead of each node, and for each pair of beads the positions in the second one's list.

@@ -3,6 +3,7 @@
 #include "rules/support.h"
 #include "rules/text.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace drawbead {
@@ -25,7 +26,7 @@ namespace {
 std::string one_cost(const RuleContext& context, double cost, double total, const char* limit, bool plus) {
     const std::string force = quantity(cost, context.deck.work_units(), force_dimension);
     return (plus && cost > 0 ? "+" : "") + force + " of " + limit + ", " +
-           number(100 * cost / std::abs(total), 3) + " % of its total";
+           number(total != 0 ? 100 * cost / std::abs(total) : 0, 3) + " % of its total";
 }
 
 std::string both_costs(const RuleContext& context, const BeadAnalysis& a, double fn, double ft, bool plus) {
@@ -48,6 +49,14 @@ std::string force_text(const RuleContext& context, const BeadAnalysis& a, double
     return both_costs(context, a, fn, ft, false);
 }
 
+std::string fn_cost_text(const RuleContext& context, const BeadAnalysis& a, double fn) {
+    return one_cost(context, fn, a.fn_total, "Fn", true);
+}
+
+std::string ft_cost_text(const RuleContext& context, const BeadAnalysis& a, double ft) {
+    return one_cost(context, ft, a.ft_total, "Ft", true);
+}
+
 void measure_cost(const RuleContext& context, const BeadAnalysis& a, double fn, double ft, Draft& draft) {
     const std::string unit = unit_name(context.deck.work_units(), force_dimension);
     draft.measured.push_back({"normal force", fn, unit});
@@ -56,6 +65,18 @@ void measure_cost(const RuleContext& context, const BeadAnalysis& a, double fn, 
         draft.measured.push_back({"share of normal force", 100 * fn / std::abs(a.fn_total), "%"});
     if (a.ft_total != 0)
         draft.measured.push_back({"share of restraint", 100 * ft / std::abs(a.ft_total), "%"});
+}
+
+std::vector<std::vector<uint32_t>> list_pieces(const BeadAnalysis& a) {
+    std::vector<std::vector<uint32_t>> pieces;
+    const std::vector<uint32_t> starts = a.check.piece_starts();
+    for (std::size_t p = 0; p < starts.size(); ++p) {
+        const uint32_t end = p + 1 < starts.size() ? starts[p + 1] : static_cast<uint32_t>(a.x.size());
+        pieces.emplace_back();
+        for (uint32_t i = starts[p]; i < end; ++i)
+            pieces.back().push_back(i);
+    }
+    return pieces;
 }
 
 Forces forces_of_pieces(const BeadAnalysis& a, const std::vector<std::vector<uint32_t>>& pieces) {
@@ -93,6 +114,10 @@ std::vector<const BeadAnalysis*> beads_with_order(const RuleContext& context) {
     for (const BeadAnalysis* a : beads_with_nodes(context))
         if (a->order_is_the_authors) beads.push_back(a);
     return beads;
+}
+
+bool windows_overlap(const Drawbead& a, const Drawbead& b) {
+    return std::max(a.t_start, b.t_start) <= std::min(a.t_stop, b.t_stop);
 }
 
 Span segment_place(const RuleContext& context, const Surface& surface, uint32_t segment) {

@@ -20,8 +20,14 @@ int64_t node_id(const RuleContext&, const BeadAnalysis&, std::size_t i);
 std::string cost_text(const RuleContext&, const BeadAnalysis&, double fn, double ft);
 /// The same without a plus: "750 N of Fn, 33 % of its total, …", for forces that are not added to anything.
 std::string force_text(const RuleContext&, const BeadAnalysis&, double fn, double ft);
+/// One limit alone, with a plus: "+750 N of Fn, 33 % of its total".
+std::string fn_cost_text(const RuleContext&, const BeadAnalysis&, double fn);
+std::string ft_cost_text(const RuleContext&, const BeadAnalysis&, double ft);
 /// The same as measures, in work units.
 void measure_cost(const RuleContext&, const BeadAnalysis&, double fn, double ft, Draft&);
+
+/// The positions of the list, cut at its gaps.
+std::vector<std::vector<uint32_t>> list_pieces(const BeadAnalysis&);
 
 /// Totals of the bead, each piece of list positions taken as a line of its own, with the limits that the
 /// nodes have.
@@ -38,6 +44,9 @@ Draft draft_at_position(const RuleContext&, const BeadAnalysis&, const std::vect
 std::vector<const BeadAnalysis*> beads_with_nodes(const RuleContext&);
 /// Those among them whose list order is the authors' own: only there rules about order have something to say.
 std::vector<const BeadAnalysis*> beads_with_order(const RuleContext&);
+
+/// Whether both act at some time.
+bool windows_overlap(const Drawbead&, const Drawbead&);
 
 /// Where a segment of a surface stands: its line in a list of segments, else its element's line.
 Span segment_place(const RuleContext&, const Surface&, uint32_t segment);

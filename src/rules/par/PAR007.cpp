@@ -11,16 +11,23 @@ namespace {
 
 struct Limit {
     const char* name;
-    double value;
+    double value, other_end;
     const Cell* cell;
 };
 
+/// A taper to nothing is written with a tiny value, since a `_last` of 0 means constant (PAR005, PAR006 and
+/// the split of LIN001 take 1e-6 of the other end).
+bool stands_for_zero(const Limit& limit) {
+    constexpr double tiny = 1e-5;
+    return std::abs(limit.value) <= tiny * std::abs(limit.other_end);
+}
+
 std::vector<Limit> limits_of(const Drawbead& b) {
     const DrawbeadCells c = cells_of(b);
-    return {{"Fn", b.fn_first, &c.fn},
-            {"Ft", b.ft_first, &c.ft},
-            {"Fn_last", b.fn_last, &c.fn_last},
-            {"Ft_last", b.ft_last, &c.ft_last}};
+    return {{"Fn", b.fn_first, b.fn_last, &c.fn},
+            {"Ft", b.ft_first, b.ft_last, &c.ft},
+            {"Fn_last", b.fn_last, b.fn_first, &c.fn_last},
+            {"Ft_last", b.ft_last, b.ft_first, &c.ft_last}};
 }
 
 /// Median of |value| over the other beads of the deck that have one; 0 when there are none.
@@ -52,7 +59,7 @@ void check(const RuleContext& context, FindingSink& sink) {
     for (const BeadAnalysis* a : beads)
         for (const Limit& limit : limits_of(*a->bead)) {
             const double value = std::abs(limit.value);
-            if (value == 0) continue;
+            if (value == 0 || stands_for_zero(limit)) continue;
             const double si = value * to_n_per_mm;
             const bool normal = limit.name[1] == 'n';
             const double others = usual(beads, a, normal);

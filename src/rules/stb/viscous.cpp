@@ -1,0 +1,77 @@
+#include "rules/stb/viscous.h"
+
+#include "geometry/segment_shape.h"
+#include "rules/analysis.h"
+#include "rules/stb/blank.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace drawbead {
+
+namespace {
+
+/// What the element behind a segment gives to each of its nodes; empty where that is not known.
+std::optional<double> mass_per_node(const Model& model, const Segment& s, const Corners& c) {
+    const Material* material = model.material_of(s);
+    const Property* property = model.property_of(s);
+    if (s.kind == ElementKind::none || s.kind == ElementKind::solid) return std::nullopt;
+    if (material == nullptr || property == nullptr || !property->has_thickness) return std::nullopt;
+    const double own = model.own_thickness(s);
+    const double mass = material->density * area(c) * (own > 0 ? own : property->thickness);
+    return mass / (s.kind == ElementKind::shell3 ? 3 : 4);
+}
+
+/// Mean mass of the four nodes of a segment, from the shells of the surface around them.
+std::optional<double> mean_mass(const Model& model, const Surface& surface, const NearMesh& near,
+                                uint32_t local) {
+    double sum = 0;
+    for (const uint32_t node : near.segment[local])
+        for (const uint32_t around : near.segments_around(node)) {
+            const auto mass =
+                mass_per_node(model, surface.segments[near.segment_index[around]], near.corners(around));
+            if (!mass) return std::nullopt;
+            sum += *mass;
+        }
+    return sum / 4;
+}
+
+} // namespace
+
+double ViscousBead::speed_to_limit() const {
+    double speed = 0;
+    for (const Node& n : node)
+        speed = std::max(speed, n.limit / n.damping);
+    return speed;
+}
+
+double ViscousBead::restraint(double speed) const {
+    double force = 0;
+    for (const Node& n : node)
+        force += std::min(speed * n.damping, n.limit) * n.length;
+    return force;
+}
+
+double ViscousBead::limit() const {
+    double force = 0;
+    for (const Node& n : node)
+        force += n.limit * n.length;
+    return force;
+}
+
+std::optional<ViscousBead> viscous_bead(const RuleContext& context, const BeadAnalysis& a) {
+    if (a.bead->iform != 1 || a.surface == nullptr || a.hit.empty()) return std::nullopt;
+    const NearMesh& near = context.analysis.surfaces[*a.bead->surface].near;
+    ViscousBead bead;
+    for (std::size_t i = 0; i < a.hit.size(); ++i) {
+        if (!a.hit[i].closest.in_contact_range()) continue;
+        const auto stiffness = stiffness_of(context.model, *a.surface, a.hit[i].segment);
+        const auto mass = mean_mass(context.model, *a.surface, near, a.hit[i].closest.segment);
+        if (!stiffness || !mass || !(stiffness->k > 0) || !(*mass > 0)) return std::nullopt;
+        bead.node.push_back({std::sqrt(stiffness->k * *mass), std::abs(a.ft[i]), a.line.tributary[i]});
+    }
+    if (!(bead.limit() > 0)) return std::nullopt;
+    return bead;
+}
+
+} // namespace drawbead
