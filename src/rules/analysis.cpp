@@ -154,12 +154,8 @@ Analysis analyse(const Deck&, const Model& model, Needs needs, unsigned threads)
         if (has(needs, analysis_closest))
             find_closest(model, surface, beads, out.surfaces[s], has(needs, analysis_sides),
                          has(needs, analysis_layers), threads);
-        if (has(needs, analysis_blank)) {
-            std::size_t most_nodes = 0;
-            for (const BeadAnalysis* a : beads)
-                most_nodes = std::max(most_nodes, a->x.size());
-            if (most_nodes != 0) out.surfaces[s].blank = blank_of(model, surface, most_nodes);
-        }
+        if (has(needs, analysis_blank) && !beads.empty() && !surface.segments.empty())
+            out.surfaces[s].stiffness = std::make_unique<SurfaceStiffness>(model, surface, threads);
         if (has(needs, analysis_clashes))
             out.surfaces[s].clashes = edge_clashes(surface.segments.span(), model.nodes().size(), threads);
     }

@@ -9,9 +9,10 @@
 #include "model/model.h"
 #include "rules/srf/bead_side.h"
 #include "rules/srf/edge_clash.h"
-#include "rules/stb/blank.h"
+#include "scene/main_surface.h"
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace drawbead {
@@ -58,7 +59,7 @@ struct BeadAnalysis {
 struct SurfaceAnalysis {
     NearMesh near; ///< around all its beads
     EdgeClashes clashes;
-    SurfaceBlank blank;
+    std::unique_ptr<const SurfaceStiffness> stiffness; ///< when it was asked for and there are segments
 };
 
 struct Analysis {

@@ -33,7 +33,9 @@ const std::vector<Scene> damaged{
     {"i3_two_parallel", {"LIN001"}},
     {"i_gap", {"LIN001"}},
     {"l_admesh_iform1", {"STB006"}},
+    {"n2_two_thick_reset", {"STB003"}},
     {"negft2", {"PAR001"}},
+    {"o_nsn_gt_nrt", {"STB003"}},
     {"p2_coincident", {"LIN003"}},
     {"p3_closed_loop", {"LIN003"}},
     {"p3b_closed_loop", {"LIN003"}},
@@ -109,6 +111,22 @@ TEST_CASE("SRF001 names the bead nodes that the Starter warns of") {
         const auto expected = looked_away_from.find(name);
         CHECK(nodes == (expected == looked_away_from.end() ? std::vector<int64_t>{} : expected->second));
     }
+}
+
+TEST_CASE("STB001 is said where the Starter warned of a reset, and nowhere else") {
+    std::size_t resets = 0;
+    for (const std::string& name : scenes()) {
+        const DeckResult result = check_scene(name);
+        INFO(name << "\n" << all_messages(result));
+        const std::string outcome =
+            literate::text_of_file(DRAWBEAD_TESTS_DIR "/truth/" + name + "/outcome.json");
+        const bool warned = outcome.find("warning 1040") != std::string::npos;
+        const bool said = std::any_of(result.findings.begin(), result.findings.end(),
+                                      [](const Finding& f) { return f.code == "STB001"; });
+        CHECK(said == warned);
+        resets += warned;
+    }
+    CHECK(resets >= 6);
 }
 
 TEST_CASE("findings do not depend on the count of threads") {

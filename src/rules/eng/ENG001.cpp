@@ -21,7 +21,8 @@ void check(const RuleContext& context, FindingSink& sink) {
             ft += a->ft_force(i);
         }
         Draft draft = draft_at(context, bead, cells_of(bead).depth);
-        draft.message = "DEPTH 0 of " + bead_name(bead) +
+        draft.message = "DEPTH of " + bead_name(bead) + ", " +
+                        quantity(bead.depth, context.deck.work_units(), length_dimension) +
                         ": by the manual only the slope becomes the stiffness of the sheet, the solver drops "
                         "the distance from its law; before the bead touches the sheet: " +
                         cost_text(context, *a, fn, ft);

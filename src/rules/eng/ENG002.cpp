@@ -21,8 +21,8 @@ void check(const RuleContext& context, FindingSink& sink) {
         draft.message =
             "reset of " + bead_name(*a->bead) +
             ": by the manual the time step stays as it is; the solver ramps with the stiffness of "
-            "the sheet times the length of the node (up to " +
-            number(longest) + " times that stiffness) and jumps at DEPTH: " + fn_cost_text(context, *a, jump);
+            "the sheet times the number of the node's length (up to " +
+            number(longest) + ") and jumps at DEPTH: " + fn_cost_text(context, *a, jump);
         measure_cost(context, *a, jump, 0, draft);
         sink.add(std::move(draft));
     }

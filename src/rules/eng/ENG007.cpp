@@ -21,10 +21,11 @@ void check(const RuleContext& context, FindingSink& sink) {
         Draft draft = draft_at(context, *a->bead, cells_of(*a->bead).iform);
         draft.message =
             "viscous form of " + bead_name(*a->bead) +
-            ": by the manual it is limited by Ft; the solver limits a force by a force per length, "
-            "so that the unit of length decides: in a deck in " +
-            (in_mm ? "m" : "mm") + " this bead holds otherwise at " + number(press_speed) + " m/s, by " +
-            ft_cost_text(context, *a, difference);
+            ": by the manual it is limited by Ft; the solver limits a force by a force per length, so "
+            "that the unit of length decides: at " +
+            number(press_speed) + " m/s it holds with " + quantity(here, units, force_dimension) +
+            ", in a deck in " + (in_mm ? "m" : "mm") + " with " + quantity(there, units, force_dimension) +
+            ": " + ft_cost_text(context, *a, difference);
         measure_cost(context, *a, 0, difference, draft);
         sink.add(std::move(draft));
     }

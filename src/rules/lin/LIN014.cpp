@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 
 namespace drawbead {
 
@@ -27,6 +28,19 @@ bool on_one_side(const BeadAnalysis& a, uint32_t i, const BeadAnalysis& b, uint3
     return dot(a.x[i] - a.hit[i].closest.foot.point, b.x[j] - b.hit[j].closest.foot.point) >= 0;
 }
 
+/// Whether a hop ends at a node that both beads list: LIN013 speaks of that.
+bool at_shared_node(const BeadAnalysis& a, const HopEnds& p, const std::set<NodeRow>& shared) {
+    return shared.count(a.group->nodes[p.from]) != 0 || shared.count(a.group->nodes[p.to]) != 0;
+}
+
+std::set<NodeRow> shared_nodes(const BeadAnalysis& a, const BeadAnalysis& b) {
+    const std::set<NodeRow> first(a.group->nodes.begin(), a.group->nodes.end());
+    std::set<NodeRow> shared;
+    for (const NodeRow row : b.group->nodes)
+        if (first.count(row) != 0) shared.insert(row);
+    return shared;
+}
+
 /// A round bead of depth DEPTH is twice as wide.
 double half_width(const BeadAnalysis& a) {
     return std::max(a.bead->depth, 0.0);
@@ -47,12 +61,16 @@ void check(const RuleContext& context, FindingSink& sink) {
             if (!windows_overlap(*a.bead, *b.bead)) continue;
             const double width = half_width(a) + half_width(b);
             const double touching = 1e-3 * std::min(a.check.median_hop, b.check.median_hop);
+            const std::vector<NearHops> near = near_hops(lines[p], lines[q], std::max(width, touching));
+            if (near.empty()) continue;
+            const std::set<NodeRow> shared = shared_nodes(a, b);
             std::vector<bool> near_node(b.x.size(), false);
             double least = std::numeric_limits<double>::infinity();
             bool crossing = false;
-            for (const NearHops& pair : near_hops(lines[p], lines[q], std::max(width, touching))) {
+            for (const NearHops& pair : near) {
                 const uint32_t i = pair.first.from, j = pair.second.from;
                 if (pair.ends_meet || !on_one_side(a, i, b, j)) continue;
+                if (at_shared_node(a, pair.first, shared) || at_shared_node(b, pair.second, shared)) continue;
                 least = std::min(least, pair.distance);
                 crossing = crossing || pair.distance <= touching;
                 // The end of the hop that is closer to the other bead.

@@ -24,7 +24,7 @@ void check(const RuleContext& context, FindingSink& sink) {
     for (const BeadAnalysis* a : beads_with_nodes(context)) {
         const auto ramp = ramp_of(context, *a);
         if (!ramp || ramp->slope.kind != Slope::reset) continue;
-        const double smallest = context.analysis.surfaces[*a->bead->surface].blank.smallest_k;
+        const double smallest = ramp->smallest_k;
         const double reached = ramp->end_force(*a), jump = a->fn_total - reached;
         const double needed = depth_without_reset(a->bead->fn_first, smallest);
         Draft draft = draft_at(context, *a->bead, cells_of(*a->bead).depth);

@@ -33,7 +33,7 @@ void check(const RuleContext& context, FindingSink& sink) {
     for (const BeadAnalysis* a : beads_with_nodes(context)) {
         const auto ramp = ramp_of(context, *a);
         if (!ramp || (ramp->slope.kind != Slope::reset && ramp->slope.kind != Slope::ramp)) continue;
-        const double smallest = context.analysis.surfaces[*a->bead->surface].blank.smallest_k;
+        const double smallest = ramp->smallest_k;
         if (!(smallest > 0) || std::isinf(smallest)) continue;
         const double ratio = ramp->slope.ramp / smallest;
         const bool here = ramp->slope.kind == Slope::reset;
@@ -43,13 +43,14 @@ void check(const RuleContext& context, FindingSink& sink) {
         Draft draft = draft_at(context, *a->bead, cells_of(*a->bead).depth);
         draft.message =
             here ? "the stiffness reset of " + bead_name(*a->bead) + " comes from the unit of length: "
-                 : "a deck in " + std::string(other.name) + " would reset the ramp of " +
-                       bead_name(*a->bead) + ": ";
-        draft.message += "Fn/DEPTH over the stiffness of the sheet is " + number(ratio) + " here and " +
-                         number(ratio_in(other, ratio, units)) + " in " + other.name + ", ";
+                 : "in " + std::string(other.name) + " the ramp of " + bead_name(*a->bead) +
+                       " would be reset: ";
+        draft.message += "Fn/DEPTH over the stiffness of the sheet is " + number(ratio) +
+                         " in this deck and " + number(ratio_in(other, ratio, units)) + " in one in " +
+                         other.name + "; ";
         const double jump = here ? a->fn_total - ramp->end_force(*a) : jump_in(other, *ramp, *a, units);
-        draft.message += here ? "where the force would not jump by " : "where Fn would jump at DEPTH by ";
-        draft.message += fn_cost_text(context, *a, jump);
+        draft.message += (here ? "without it Fn would not jump at DEPTH by " : "Fn would jump at DEPTH by ") +
+                         fn_cost_text(context, *a, jump);
         if (!here) draft.severity = Severity::info;
         draft.measured.push_back({"ratio here", ratio, ""});
         draft.measured.push_back({std::string("ratio in ") + other.name, ratio_in(other, ratio, units), ""});

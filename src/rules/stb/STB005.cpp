@@ -10,7 +10,9 @@ namespace {
 void check(const RuleContext& context, FindingSink& sink) {
     const UnitSystem& units = context.deck.work_units();
     const double press = press_speed * units.time / units.length;
-    const Dimension speed{0, 1, -1};
+    const std::string speed_unit =
+        unit_name(units, length_dimension) + "/" + unit_name(units, time_dimension);
+    const auto speed = [&](double v) { return number(v) + " " + speed_unit; };
     for (const BeadAnalysis* a : beads_with_nodes(context)) {
         const auto bead = viscous_bead(context, *a);
         if (!bead) continue;
@@ -18,14 +20,13 @@ void check(const RuleContext& context, FindingSink& sink) {
                      share = 100 * reached / bead->limit();
         Draft draft = draft_at(context, *a->bead, cells_of(*a->bead).iform);
         if (share > 50) draft.severity = Severity::info;
-        draft.message = "the viscous form of " + bead_name(*a->bead) +
-                        " reaches Ft only where the sheet slides at " + quantity(needed, units, speed) +
-                        "; at " + quantity(press, units, speed) + ", the speed of a press, it holds with " +
-                        quantity(reached, units, force_dimension) + ", " + number(share, 3) +
-                        " % of its total";
+        draft.message =
+            "the viscous form of " + bead_name(*a->bead) + " reaches Ft only where the sheet slides at " +
+            speed(needed) + "; at " + speed(press) + ", the speed of a press, it holds with " +
+            quantity(reached, units, force_dimension) + ", " + number(share, 3) + " % of its total";
         draft.notes.push_back("masses are those of the shells of the surface, without added mass");
-        draft.measured.push_back({"speed to reach Ft", needed, unit_name(units, speed)});
-        draft.measured.push_back({"speed", press, unit_name(units, speed)});
+        draft.measured.push_back({"speed to reach Ft", needed, speed_unit});
+        draft.measured.push_back({"speed", press, speed_unit});
         draft.measured.push_back({"restraint", reached, unit_name(units, force_dimension)});
         draft.measured.push_back({"share of restraint", share, "%"});
         draft.help = "set Iform to 2, whose restraint does not depend on the speed";

@@ -60,15 +60,17 @@ double ViscousBead::limit() const {
 }
 
 std::optional<ViscousBead> viscous_bead(const RuleContext& context, const BeadAnalysis& a) {
-    if (a.bead->iform != 1 || a.surface == nullptr || a.hit.empty()) return std::nullopt;
+    if (a.bead->iform != 1 || a.hit.empty()) return std::nullopt;
+    const SurfaceStiffness* stiffness = known_stiffness(context, a);
+    if (stiffness == nullptr) return std::nullopt;
     const NearMesh& near = context.analysis.surfaces[*a.bead->surface].near;
     ViscousBead bead;
     for (std::size_t i = 0; i < a.hit.size(); ++i) {
         if (!a.hit[i].closest.in_contact_range()) continue;
-        const auto stiffness = stiffness_of(context.model, *a.surface, a.hit[i].segment);
+        const double k = (*stiffness)(a.hit[i].segment).k;
         const auto mass = mean_mass(context.model, *a.surface, near, a.hit[i].closest.segment);
-        if (!stiffness || !mass || !(stiffness->k > 0) || !(*mass > 0)) return std::nullopt;
-        bead.node.push_back({std::sqrt(stiffness->k * *mass), std::abs(a.ft[i]), a.line.tributary[i]});
+        if (!mass || !(k > 0) || !(*mass > 0)) return std::nullopt;
+        bead.node.push_back({std::sqrt(k * *mass), std::abs(a.ft[i]), a.line.tributary[i]});
     }
     if (!(bead.limit() > 0)) return std::nullopt;
     return bead;
