@@ -32,7 +32,7 @@ void check(const RuleContext& context, FindingSink& sink) {
             ": by the manual the force varies along the bead; in the solver the ramp of every node "
             "keeps Fn_first/DEPTH, and at DEPTH the force jumps to its own limit (node " +
             std::to_string(node_id(context, *a, worst_node)) + ": " + (worst > 0 ? "+" : "") +
-            quantity(worst, units, force_dimension) + "), together: " + fn_cost_text(context, *a, sum);
+            quantity(worst, units, force_dimension) + "), together: " + fn_force_text(context, *a, sum);
         draft.measured.push_back({"largest jump", worst, unit_name(units, force_dimension)});
         measure_cost(context, *a, sum, 0, draft);
         sink.add(std::move(draft));

@@ -24,7 +24,7 @@ void check(const RuleContext& context, FindingSink& sink) {
                         " on the ramp: the manual is silent; the solver lets it grow with the "
                         "depth only where Fn is not 0 and its slope is below the stiffness of the sheet, " +
                         (bead.fn_first == 0 ? "here Fn is 0" : "here the slope is not") +
-                        "; it begins with: " + ft_cost_text(context, *a, ft);
+                        "; it begins with: " + ft_force_text(context, *a, ft);
         measure_cost(context, *a, 0, ft, draft);
         sink.add(std::move(draft));
     }

@@ -18,7 +18,7 @@ void check(const RuleContext& context, FindingSink& sink) {
             ": the manual gives each segment its own; the solver reads them with the place of the "
             "bead node, " +
             counted(misread->node.size(), "node") + (misread->node.size() == 1 ? " differs" : " differ") +
-            ": " + fn_cost_text(context, *a, fn);
+            ": " + fn_force_text(context, *a, fn);
         measure_cost(context, *a, fn, 0, draft);
         sink.add(std::move(draft));
     }

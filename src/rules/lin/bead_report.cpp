@@ -57,6 +57,14 @@ std::string ft_cost_text(const RuleContext& context, const BeadAnalysis& a, doub
     return one_cost(context, ft, a.ft_total, "Ft", true);
 }
 
+std::string fn_force_text(const RuleContext& context, const BeadAnalysis& a, double fn) {
+    return one_cost(context, fn, a.fn_total, "Fn", false);
+}
+
+std::string ft_force_text(const RuleContext& context, const BeadAnalysis& a, double ft) {
+    return one_cost(context, ft, a.ft_total, "Ft", false);
+}
+
 void measure_cost(const RuleContext& context, const BeadAnalysis& a, double fn, double ft, Draft& draft) {
     const std::string unit = unit_name(context.deck.work_units(), force_dimension);
     draft.measured.push_back({"normal force", fn, unit});

@@ -23,6 +23,9 @@ std::string force_text(const RuleContext&, const BeadAnalysis&, double fn, doubl
 /// One limit alone, with a plus: "+750 N of Fn, 33 % of its total".
 std::string fn_cost_text(const RuleContext&, const BeadAnalysis&, double fn);
 std::string ft_cost_text(const RuleContext&, const BeadAnalysis&, double ft);
+/// … and without.
+std::string fn_force_text(const RuleContext&, const BeadAnalysis&, double fn);
+std::string ft_force_text(const RuleContext&, const BeadAnalysis&, double ft);
 /// The same as measures, in work units.
 void measure_cost(const RuleContext&, const BeadAnalysis&, double fn, double ft, Draft&);
 

@@ -25,11 +25,11 @@ void check(const RuleContext& context, FindingSink& sink) {
             draft.message += counted(beyond, "node") + (beyond == 1 ? " reads" : " read") + " past the " +
                              counted(a->surface->segments.size(), "segment") + " of surface " +
                              std::to_string(a->surface->id) +
-                             " (any value): " + fn_cost_text(context, *a, misread->beyond);
+                             " (any value): " + fn_force_text(context, *a, misread->beyond);
         if (const std::size_t wrong = misread->node.size() - misread->beyond_count; wrong != 0)
             draft.message += (misread->beyond_count != 0 ? "; " : "") + counted(wrong, "node") +
                              (wrong == 1 ? " takes" : " take") + " the slope of another segment: " +
-                             fn_cost_text(context, *a, misread->difference);
+                             fn_force_text(context, *a, misread->difference);
         if (misread->node.empty()) {
             draft.severity = Severity::warning;
             draft.message += "at the start all slopes are right (0 N, 0 % of its total), but not those of "
