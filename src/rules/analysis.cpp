@@ -49,15 +49,33 @@ void check_list(BeadAnalysis& a) {
 
 constexpr SideLimits side_limits{};
 
-/// Another layer of the surface as far from a bead node as the closest one, or little farther.
-void find_other_layer(const NearMesh& mesh, const ClosestSegment& closest, Vec3 x, BeadHit& h) {
+/// Another layer of the surface as far from bead nodes as the closest one, or little farther. A long bead is
+/// looked at every few nodes, and closely only when one of these has found something: layers go on.
+void find_other_layers(const NearMesh& mesh, const ClosestSegment& closest, BeadAnalysis& a,
+                       unsigned threads) {
     constexpr double ratio = 1.5, elements = 2; // as ContactOptions
-    const double distance = h.closest.foot.distance;
-    const double within = std::min(ratio * distance, distance + elements * h.element);
-    if (const auto other = closest.other_layer(x, h.closest, within)) {
+    constexpr std::size_t looked_at = 256, chunk = 32;
+    const auto look = [&](std::size_t i) {
+        BeadHit& h = a.hit[i];
+        const double distance = h.closest.foot.distance;
+        const double within = std::min(ratio * distance, distance + elements * h.element);
+        const auto other = closest.other_layer(a.x[i], h.closest, within);
+        if (!other) return;
         h.other_layer = mesh.segment_index[other->segment];
         h.other_layer_distance = other->d;
-    }
+    };
+    const auto look_at_every = [&](std::size_t step) {
+        const std::size_t count = (a.hit.size() + step - 1) / step;
+        parallel_for(threads, (count + chunk - 1) / chunk, [&](std::size_t piece) {
+            for (std::size_t k = piece * chunk; k < std::min(count, (piece + 1) * chunk); ++k)
+                look(k * step);
+        });
+    };
+    const std::size_t step = std::max<std::size_t>(1, a.hit.size() / looked_at);
+    look_at_every(step);
+    if (step > 1 &&
+        std::any_of(a.hit.begin(), a.hit.end(), [](const BeadHit& h) { return h.other_layer != no_segment; }))
+        look_at_every(1);
 }
 
 /// Exact closest segments of all beads of a surface, and the part of the surface around them.
@@ -85,7 +103,6 @@ void find_closest(const Model& model, const Surface& surface, const std::vector<
                     h.closest = closest.find(a->x[i]);
                     h.segment = near.mesh.segment_index[h.closest.segment];
                     h.element = std::sqrt(area(near.mesh.corners(h.closest.segment)));
-                    if (layers) find_other_layer(near.mesh, closest, a->x[i], h);
                 }
             });
             for (std::size_t i = 0; sides && i < a->x.size(); ++i)
@@ -94,6 +111,8 @@ void find_closest(const Model& model, const Surface& surface, const std::vector<
                     needed = std::max(needed, reach);
             first += a->x.size();
         }
+        for (BeadAnalysis* a : beads)
+            if (layers && needed == 0) find_other_layers(near.mesh, closest, *a, threads);
         out.near = std::move(near.mesh);
         if (needed == 0) return;
         least_margin = needed;
