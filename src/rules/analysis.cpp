@@ -173,13 +173,16 @@ Analysis analyse(const Deck&, const Model& model, Needs needs, unsigned threads)
         if (has(needs, analysis_closest))
             find_closest(model, surface, beads, out.surfaces[s], has(needs, analysis_sides),
                          has(needs, analysis_layers), threads);
-        if (has(needs, analysis_blank) && !beads.empty() && !surface.segments.empty())
-            out.surfaces[s].stiffness = std::make_unique<SurfaceStiffness>(model, surface, threads);
         if (has(needs, analysis_clashes))
             out.surfaces[s].clashes = edge_clashes(surface.segments.span(), model.nodes().size(), threads);
     }
-    if (has(needs, Needs::coordinates) && has(needs, Needs::blank_elements))
+    if (has(needs, analysis_contact)) {
+        out.contact = contact_of(model, {.layer_ratio = 0, .threads = threads});
+        for (const InterfaceContact& one : out.contact.interfaces)
+            out.starter.push_back(one.starter);
+    } else if (has(needs, Needs::coordinates) && has(needs, Needs::blank_elements)) {
         out.starter = starter_of(model, threads);
+    }
     if (!lines) return out;
     parallel_for(threads, out.beads.size(), [&](std::size_t i) {
         BeadAnalysis& a = out.beads[i];

@@ -9,10 +9,9 @@
 #include "model/model.h"
 #include "rules/srf/bead_side.h"
 #include "rules/srf/edge_clash.h"
-#include "scene/main_surface.h"
+#include "scene/deck_contact.h"
 
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 namespace drawbead {
@@ -20,11 +19,11 @@ namespace drawbead {
 /// What rules need beside the model. A rule puts these into its `needs`; bits from 2^16 on belong to the
 /// analysis.
 inline constexpr Needs analysis_lines{1u << 16}, analysis_closest{1u << 17}, analysis_sides{1u << 18},
-    analysis_clashes{1u << 19}, analysis_blank{1u << 20}, analysis_layers{1u << 21};
+    analysis_clashes{1u << 19}, analysis_contact{1u << 20}, analysis_layers{1u << 21};
 inline constexpr Needs needs_lines = analysis_lines | Needs::coordinates;
 inline constexpr Needs needs_closest = analysis_closest | needs_lines | Needs::blank_elements;
 inline constexpr Needs needs_sides = analysis_sides | needs_closest;
-inline constexpr Needs needs_blank = analysis_blank | needs_closest;
+inline constexpr Needs needs_first_cycle = analysis_contact | needs_contact | needs_closest;
 inline constexpr Needs needs_layers = analysis_layers | needs_sides;
 inline constexpr Needs needs_clashes = analysis_clashes | Needs::coordinates | Needs::blank_elements;
 
@@ -59,14 +58,14 @@ struct BeadAnalysis {
 struct SurfaceAnalysis {
     NearMesh near; ///< around all its beads
     EdgeClashes clashes;
-    std::unique_ptr<const SurfaceStiffness> stiffness; ///< when it was asked for and there are segments
 };
 
 struct Analysis {
     std::vector<BeadAnalysis> beads;       ///< as Model::drawbeads()
     std::vector<SurfaceAnalysis> surfaces; ///< as Model::surfaces()
-    std::vector<StarterVerdict> starter;   ///< as Model::drawbeads(); empty unless coordinates and blank
-                                           ///< elements were asked for
+    DeckContact contact; ///< the first cycle as the solver sees it, without other layers; when asked for
+    std::vector<StarterVerdict> starter; ///< as Model::drawbeads(); empty unless coordinates and blank
+                                         ///< elements were asked for
 };
 
 /// Computes what `needs` names. The model must outlive the result, which does not depend on the count of

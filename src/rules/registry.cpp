@@ -17,6 +17,7 @@ namespace drawbead {
     RULE(ENG007)                                                                                             \
     RULE(ENG008)                                                                                             \
     RULE(ENG009)                                                                                             \
+    RULE(ENG010)                                                                                             \
     RULE(LIN001)                                                                                             \
     RULE(LIN002)                                                                                             \
     RULE(LIN003)                                                                                             \

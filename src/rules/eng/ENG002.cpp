@@ -35,7 +35,7 @@ extern const Rule ENG002{
      .name = "reset-ramp-jumps",
      .summary = "the ramp after a stiffness reset ends in a jump that the manual does not have",
      .severity = Severity::info},
-    needs_blank,
+    needs_first_cycle,
     check};
 
 } // namespace drawbead

@@ -45,7 +45,7 @@ extern const Rule ENG003{{.code = "ENG003",
                           .name = "linear-force-over-constant-ramp",
                           .summary = "with Fn_last the plateau varies along the bead, the ramp does not",
                           .severity = Severity::warning},
-                         needs_blank,
+                         needs_first_cycle,
                          check};
 
 } // namespace drawbead

@@ -36,7 +36,7 @@ extern const Rule ENG004{{.code = "ENG004",
                           .name = "restraint-without-gradual-start",
                           .summary = "the restraint does not grow along the ramp as the normal force does",
                           .severity = Severity::info},
-                         needs_blank,
+                         needs_first_cycle,
                          check};
 
 } // namespace drawbead

@@ -37,7 +37,7 @@ extern const Rule ENG007{{.code = "ENG007",
                           .name = "viscous-form-depends-on-units",
                           .summary = "the viscous form compares a force with a force per length",
                           .severity = Severity::info},
-                         needs_sides | needs_blank | Needs::element_thickness,
+                         needs_sides | needs_first_cycle | Needs::element_thickness,
                          check};
 
 } // namespace drawbead

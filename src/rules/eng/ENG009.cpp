@@ -30,7 +30,7 @@ extern const Rule ENG009{{.code = "ENG009",
                           .name = "slope-read-by-node",
                           .summary = "the ramp slope of a segment is read with the place of the bead node",
                           .severity = Severity::info},
-                         needs_blank,
+                         needs_first_cycle,
                          check};
 
 } // namespace drawbead

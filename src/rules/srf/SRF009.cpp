@@ -1,4 +1,5 @@
 #include "rules/lin/bead_report.h"
+#include "rules/stb/blank.h"
 #include "rules/support.h"
 #include "rules/text.h"
 
@@ -6,14 +7,23 @@ namespace drawbead {
 
 namespace {
 
+/// Whether the solver finds the node beside the very segment that is closest: its margin is smaller on long
+/// segments. Where it takes another one, ENG010 speaks.
+bool dropped(const InterfaceContact* first, std::size_t i) {
+    if (first == nullptr) return false;
+    const BeadNodeContact& n = first->contact.node[i];
+    return !n.inside && n.segment == n.closest;
+}
+
 void check(const RuleContext& context, FindingSink& sink) {
     for (const BeadAnalysis* a : beads_with_nodes(context)) {
         if (a->hit.empty()) continue;
+        const InterfaceContact* first = first_cycle(context, *a);
         std::vector<std::size_t> beside;
         double fn = 0, ft = 0, covered = 0, length = 0;
         for (std::size_t i = 0; i < a->hit.size(); ++i) {
             length += a->line.tributary[i];
-            if (a->hit[i].closest.in_contact_range()) {
+            if (a->hit[i].closest.in_contact_range() && !dropped(first, i)) {
                 covered += a->line.tributary[i];
                 continue;
             }
@@ -50,7 +60,7 @@ extern const Rule SRF009{{.code = "SRF009",
                           .name = "bead-not-over-surface",
                           .summary = "bead nodes stand beside their main surface",
                           .severity = Severity::warning},
-                         needs_closest,
+                         needs_first_cycle,
                          check};
 
 } // namespace drawbead

@@ -59,7 +59,7 @@ extern const Rule STB001{
      .summary = "Fn/DEPTH is over the stiffness of the sheet, so that the ramp is replaced",
      .severity = Severity::warning,
      .starter_message = 1040},
-    needs_blank,
+    needs_first_cycle,
     check};
 
 } // namespace drawbead

@@ -67,7 +67,7 @@ extern const Rule STB002{{.code = "STB002",
                           .name = "reset-depends-on-units",
                           .summary = "the stiffness reset would be decided otherwise in a deck in mm or in m",
                           .severity = Severity::warning},
-                         needs_blank,
+                         needs_first_cycle,
                          check};
 
 } // namespace drawbead

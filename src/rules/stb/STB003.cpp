@@ -49,7 +49,7 @@ extern const Rule STB003{{.code = "STB003",
                           .name = "slope-index-mismatch",
                           .summary = "bead nodes read the ramp slope of another segment, or none",
                           .severity = Severity::error},
-                         needs_blank,
+                         needs_first_cycle,
                          check};
 
 } // namespace drawbead

@@ -42,7 +42,7 @@ extern const Rule STB005{{.code = "STB005",
                           .summary = "the viscous form reaches Ft only at a high speed of the sheet",
                           .severity = Severity::warning,
                           .fix = FixAvailability::unsafe},
-                         needs_sides | needs_blank | Needs::element_thickness,
+                         needs_sides | needs_first_cycle | Needs::element_thickness,
                          check};
 
 } // namespace drawbead

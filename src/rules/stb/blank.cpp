@@ -18,9 +18,16 @@ bool mixed(const SurfaceStiffness& stiffness, std::size_t segments) {
 
 } // namespace
 
+const InterfaceContact* first_cycle(const RuleContext& context, const BeadAnalysis& a) {
+    const std::vector<InterfaceContact>& all = context.analysis.contact.interfaces;
+    const auto at = static_cast<std::size_t>(&a - context.analysis.beads.data());
+    return at < all.size() && all[at].unknown.empty() && all[at].contact.node.size() == a.x.size() ? &all[at]
+                                                                                                   : nullptr;
+}
+
 const SurfaceStiffness* known_stiffness(const RuleContext& context, const BeadAnalysis& a) {
-    if (a.surface == nullptr || a.surface->segments.empty()) return nullptr;
-    const auto& stiffness = context.analysis.surfaces[*a.bead->surface].stiffness;
+    if (first_cycle(context, a) == nullptr) return nullptr;
+    const auto& stiffness = context.analysis.contact.surfaces[*a.bead->surface].stiffness;
     return stiffness && stiffness->doubts().empty() ? stiffness.get() : nullptr;
 }
 
@@ -33,18 +40,13 @@ double BeadRamp::end_force(const BeadAnalysis& a) const {
 
 std::optional<BeadRamp> ramp_of(const RuleContext& context, const BeadAnalysis& a) {
     const SurfaceStiffness* stiffness = known_stiffness(context, a);
-    if (stiffness == nullptr || a.hit.empty()) return std::nullopt;
+    if (stiffness == nullptr) return std::nullopt;
+    const BeadContact& contact = first_cycle(context, a)->contact;
     BeadRamp ramp;
     ramp.smallest_k = stiffness->smallest();
-    ramp.slope = choose_slope(a.bead->fn_first, a.bead->depth, ramp.smallest_k);
-    std::vector<double> table; // by place of the bead node
-    if (ramp.slope.kind == Slope::reset || ramp.slope.kind == Slope::depth_absent)
-        table = stiffness->in_storage_order(a.hit.size());
-    const std::size_t segments = a.surface->segments.size();
-    for (std::size_t i = 0; i < a.hit.size(); ++i) {
-        const double k = (*stiffness)(a.hit[i].segment).k;
-        ramp.node.push_back({k, ramp.slope.of(k), slope_read(ramp.slope, table, segments, i)});
-    }
+    ramp.slope = contact.slope;
+    for (const BeadNodeContact& n : contact.node)
+        ramp.node.push_back({n.k, n.slope, n.slope_read});
     return ramp;
 }
 

@@ -2,7 +2,7 @@
 // The stiffness of the sheet as rules see it: the ramp of a bead's normal force over its segments.
 #include "contact/blank_stiffness.h"
 #include "rules/rule.h"
-#include "scene/main_surface.h"
+#include "scene/deck_contact.h"
 
 #include <cstddef>
 #include <optional>
@@ -12,11 +12,14 @@ namespace drawbead {
 
 struct BeadAnalysis;
 
+/// The first cycle of the bead; nullptr when it has no nodes or no segments. Needs analysis_contact.
+const InterfaceContact* first_cycle(const RuleContext&, const BeadAnalysis&);
+
 /// Stiffness of the segments of the bead's surface; nullptr when it has none, or when a modulus or thickness
-/// behind it is not known for sure. Needs analysis_blank.
+/// behind it is not known for sure. Needs analysis_contact.
 const SurfaceStiffness* known_stiffness(const RuleContext&, const BeadAnalysis&);
 
-/// How the normal force of a bead grows, from the segments that are closest to its nodes.
+/// How the normal force of a bead grows, from the segments that the solver starts with.
 struct BeadRamp {
     struct Node {
         double k = 0;               ///< of the segment
@@ -31,7 +34,7 @@ struct BeadRamp {
     double end_force(const BeadAnalysis&) const;
 };
 
-/// Empty when the bead has no nodes over a surface of known stiffness. Needs analysis_blank.
+/// Empty when the bead has no nodes over a surface of known stiffness. Needs analysis_contact.
 std::optional<BeadRamp> ramp_of(const RuleContext&, const BeadAnalysis&);
 
 /// Bead nodes that read a slope which is not their segment's, when that can happen: after a reset over more
@@ -43,7 +46,7 @@ struct MisreadSlopes {
     double beyond = 0;             ///< their normal force
     double difference = 0;         ///< of the others at the end of the ramp, taken absolutely
 };
-/// Empty when it cannot happen. Needs analysis_blank.
+/// Empty when it cannot happen. Needs analysis_contact.
 std::optional<MisreadSlopes> misread_slopes(const RuleContext&, const BeadAnalysis&);
 
 } // namespace drawbead

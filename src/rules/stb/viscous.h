@@ -27,7 +27,7 @@ struct ViscousBead {
 };
 
 /// Empty when it is not viscous, has no restraint, or masses or stiffness are not known. Masses are those of
-/// the shells of the surface. Needs analysis_sides and analysis_blank, and the thickness of elements.
+/// the shells of the surface. Needs analysis_sides and analysis_contact, and the thickness of elements.
 std::optional<ViscousBead> viscous_bead(const RuleContext&, const BeadAnalysis&);
 
 /// 0.1 m/s, about what a press does while it forms.
