@@ -14,7 +14,7 @@ SUMMARY = r"in \d+\.\d\d s\n"
 class ExitStatus(CommandLineTest):
     def setUp(self):
         super().setUp()
-        self.write("good_0000.rad", tiny())
+        self.write("good_0000.rad", (SAMPLES / "strip_straight_0000.rad").read_bytes())
         self.write("bad_0000.rad", tiny(group=9))  # no such group: REF001, an error
 
     def test_findings_and_fail_on(self):

@@ -12,8 +12,8 @@ namespace {
 
 /// How much of a node's force depends on the segment that was taken: 1 where only one of the two laws has a
 /// contact, else the shift of the ramp over DEPTH.
-double share_at_stake(const BeadNodeContact& n, double depth) {
-    if (n.segment == n.closest) return 0; // the two margins beside a rim are no matter of the search
+double share_at_stake(const BeadNodeContact& n, const ClosestHit& closest, double depth) {
+    if (n.segment == n.closest || closest.on_free_edge) return 0; // beside a rim: SRF009
     if (n.inside != n.in_contact_range) return 1;
     if (!n.inside || depth <= 0) return 0;
     return std::min(std::abs(n.distance - n.closest_distance) / depth, 1.0);
@@ -29,7 +29,7 @@ void check(const RuleContext& context, FindingSink& sink) {
         double fn = 0, ft = 0, worst = 0;
         std::size_t worst_node = 0;
         for (std::size_t i = 0; i < a->x.size(); ++i) {
-            const double share = share_at_stake(first->contact.node[i], a->bead->depth);
+            const double share = share_at_stake(first->contact.node[i], a->hit[i].closest, a->bead->depth);
             if (share == 0) continue;
             found.push_back(i);
             fn += share * std::abs(a->fn_force(i));

@@ -7,12 +7,10 @@ namespace drawbead {
 
 namespace {
 
-/// Whether the solver finds the node beside the very segment that is closest: its margin is smaller on long
-/// segments. Where it takes another one, ENG010 speaks.
-bool dropped(const InterfaceContact* first, std::size_t i) {
-    if (first == nullptr) return false;
-    const BeadNodeContact& n = first->contact.node[i];
-    return !n.inside && n.segment == n.closest;
+/// Whether the solver drops a node beside the rim, where its margin is the smaller one. Inside of the
+/// surface ENG010 speaks.
+bool dropped(const InterfaceContact* first, const BeadHit& hit, std::size_t i) {
+    return first != nullptr && hit.closest.on_free_edge && !first->contact.node[i].inside;
 }
 
 void check(const RuleContext& context, FindingSink& sink) {
@@ -23,7 +21,7 @@ void check(const RuleContext& context, FindingSink& sink) {
         double fn = 0, ft = 0, covered = 0, length = 0;
         for (std::size_t i = 0; i < a->hit.size(); ++i) {
             length += a->line.tributary[i];
-            if (a->hit[i].closest.in_contact_range() && !dropped(first, i)) {
+            if (a->hit[i].closest.in_contact_range() && !dropped(first, a->hit[i], i)) {
                 covered += a->line.tributary[i];
                 continue;
             }
