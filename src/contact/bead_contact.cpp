@@ -30,11 +30,9 @@ bool find_closest(const NearMesh& mesh, const ClosestSegment& closest, const Con
     const double size = std::sqrt(area(mesh.corners(hit.segment)));
     const double within =
         std::min(options.layer_ratio * hit.foot.distance, hit.foot.distance + options.layer_elements * size);
-    needed = std::max(hit.foot.distance, within);
+    needed = std::max(hit.foot.distance + options.around_elements * size, within);
     out.closest = mesh.segment_index[hit.segment];
-    out.foot = hit.foot;
-    out.closest_distance = hit.d;
-    out.in_contact_range = hit.in_contact_range();
+    out.exact = hit;
     const Vec3 r{needed, needed, needed};
     if (!hit.exact || !mesh.covers(x - r, x + r)) return false;
     if (options.layer_ratio <= 0) return true;
@@ -88,7 +86,7 @@ SurfaceContact surface_contact(const SegmentMesh& surface, std::span<const BeadI
     SurfaceContact out;
     out.bead.resize(beads.size());
     out.track.resize(beads.size());
-    double reach = first_reach(surface) + 2 * options.travel;
+    double reach = first_reach(surface, options.around_elements) + 2 * options.travel;
     while (true) {
         out.mesh = near_mesh(surface, points, reach, options.threads);
         const bool whole = out.mesh.cells.empty();

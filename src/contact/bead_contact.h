@@ -40,9 +40,7 @@ struct BeadNodeContact {
     double solver_tributary = 0;      ///< |n x l|
     // the exact closest point of the surface
     uint32_t closest = no_segment;
-    Foot foot;
-    double closest_distance = 0;       ///< signed
-    bool in_contact_range = false;     ///< not beyond a free edge
+    ClosestHit exact;                  ///< its segment by its local number in SurfaceContact::mesh
     uint32_t other_layer = no_segment; ///< a second layer at a similar distance
     double other_layer_distance = 0;   ///< signed
 };
@@ -59,6 +57,8 @@ struct ContactOptions {
     double layer_ratio =
         1.5; ///< another layer up to this times the closest distance counts (0: none is looked for),
     double layer_elements = 2; ///< but no farther behind it than so many segments
+    double around_elements =
+        0; ///< `mesh` holds all that is no farther than the closest segment and so many of its sizes
     unsigned threads = 1;
 };
 

@@ -28,8 +28,8 @@ struct BoundingBox {
 
 /// The coarse grid's cell of a coordinate, counted from 1; 0 below the grid and count + 1 above it. Monotone.
 uint32_t cell(double at, double from, double per_cell, uint32_t count) {
-    const double c = (at - from) * per_cell;
-    return !(c >= 0) ? 0 : c >= count ? count + 1 : static_cast<uint32_t>(c) + 1;
+    const double c = (at - from) * per_cell + 1;
+    return static_cast<uint32_t>(std::min(std::max(0.0, c), count + 1.0)); // no branches; 0 for a NaN
 }
 
 using Cell = std::array<uint32_t, 3>;
@@ -61,6 +61,9 @@ bool is_marked(const NearMesh& m, uint64_t bit) {
     return m.cells[bit >> 6] >> (bit & 63) & 1;
 }
 
+/// Flags of a node row beside its cell: a node of the surface, a node of the part.
+constexpr uint32_t used = 1u << 30, near = 1u << 31;
+
 /// Cells packed into one number, ten bits each.
 uint32_t pack(const Cell& c) {
     return c[0] | c[1] << 10 | c[2] << 20;
@@ -69,10 +72,9 @@ uint32_t pack(const Cell& c) {
 bool meets_marked(const NearMesh& m, const std::array<uint32_t, 4>& packed) {
     Cell lo, hi;
     if (packed[0] == packed[1] && packed[0] == packed[2] && packed[0] == packed[3]) {
-        lo = {packed[0] & 1023, packed[0] >> 10 & 1023, packed[0] >> 20};
-        const bool within =
-            lo[0] - 1 < m.cell_count[0] && lo[1] - 1 < m.cell_count[1] && lo[2] - 1 < m.cell_count[2];
-        return within && any_cell(m, lo, lo, [&](uint64_t bit) { return is_marked(m, bit); });
+        lo = {(packed[0] & 1023) - 1, (packed[0] >> 10 & 1023) - 1, (packed[0] >> 20) - 1};
+        return lo[0] < m.cell_count[0] && lo[1] < m.cell_count[1] && lo[2] < m.cell_count[2] &&
+               is_marked(m, (uint64_t{lo[2]} * m.cell_count[1] + lo[1]) * m.cell_count[0] + lo[0]);
     }
     for (uint32_t a = 0; a < 3; ++a) {
         std::array<uint32_t, 4> c;
@@ -137,40 +139,52 @@ NearMesh near_mesh(const SegmentMesh& mesh, std::span<const Vec3> points, double
     const bool whole = !(reach < infinity) || points.empty();
     if (!whole) mark_cells(m, points, m.reach = reach);
 
-    // The cell of each node, then the segments with a marked cell among those they span.
+    // Per node row its cell and two flags: one word, so that a segment touches one place per corner.
     const std::size_t rows = mesh.x.size(), segments = mesh.segment.size();
     constexpr std::size_t piece = 1 << 16;
     const auto pieces = [](std::size_t count) { return (count + piece - 1) / piece; };
-    Buffer<uint32_t> cell_at(whole ? 0 : rows);
-    if (!whole)
-        parallel_for(threads, pieces(rows), [&](std::size_t p) {
-            for (std::size_t row = p * piece; row < std::min(rows, (p + 1) * piece); ++row)
-                cell_at[row] = pack(cell_of(m, mesh.x[row]));
-        });
+    Buffer<uint32_t> at_row(rows);
+    parallel_for(threads, pieces(rows), [&](std::size_t p) {
+        for (std::size_t row = p * piece; row < std::min(rows, (p + 1) * piece); ++row)
+            at_row[row] = whole ? 0 : pack(cell_of(m, mesh.x[row]));
+    });
+
+    // The segments that span a marked cell.
     std::vector<std::vector<uint32_t>> found(pieces(segments));
-    std::vector<uint8_t> used(rows, 0), near(rows, 0); // written by several threads, each time the same value
-    const auto set = [](uint8_t& flag) {
-        std::atomic_ref<uint8_t>(flag).store(1, std::memory_order_relaxed);
-    };
     parallel_for(threads, pieces(segments), [&](std::size_t p) {
-        for (std::size_t s = p * piece; s < std::min(segments, (p + 1) * piece); ++s) {
+        constexpr std::size_t ahead = 16; // enough for the look-ups of some segments to wait together
+        const std::size_t end = std::min(segments, (p + 1) * piece);
+        for (std::size_t s = p * piece; s < end; ++s) {
+            if (s + ahead < end)
+                for (const uint32_t row : mesh.segment[s + ahead])
+                    if (row < rows) __builtin_prefetch(&at_row[row], 1);
             const SegmentNodes n = mesh.segment[s];
             if (n[0] >= rows || n[1] >= rows || n[2] >= rows || n[3] >= rows) continue;
-            for (const uint32_t row : n)
-                set(used[row]);
-            if (!whole && !meets_marked(m, {cell_at[n[0]], cell_at[n[1]], cell_at[n[2]], cell_at[n[3]]}))
-                continue;
-            found[p].push_back(static_cast<uint32_t>(s));
-            for (const uint32_t row : n)
-                set(near[row]);
+            std::array<uint32_t, 4> cells;
+            for (std::size_t k = 0; k < 4; ++k) {
+                // Several threads may come here, with the same value.
+                const std::atomic_ref<uint32_t> word(at_row[n[k]]);
+                cells[k] = word.load(std::memory_order_relaxed);
+                if (!(cells[k] & used)) word.store(cells[k] | used, std::memory_order_relaxed);
+                cells[k] &= ~used;
+            }
+            if (whole || meets_marked(m, cells)) found[p].push_back(static_cast<uint32_t>(s));
         }
     });
+    for (const auto& f : found)
+        for (const uint32_t s : f)
+            for (const uint32_t row : mesh.segment[s])
+                at_row[row] |= near;
+
     std::vector<BoundingBox> boxes(pieces(rows));
     std::vector<uint32_t> used_rows(pieces(rows), 0);
+    std::vector<std::vector<uint32_t>> near_rows(pieces(rows));
     parallel_for(threads, pieces(rows), [&](std::size_t p) {
         BoundingBox box;
-        for (std::size_t row = p * piece; row < std::min(rows, (p + 1) * piece); ++row)
-            if (used[row]) box.add(mesh.x[row]), ++used_rows[p];
+        for (std::size_t row = p * piece; row < std::min(rows, (p + 1) * piece); ++row) {
+            if (at_row[row] & used) box.add(mesh.x[row]), ++used_rows[p];
+            if (at_row[row] & near) near_rows[p].push_back(static_cast<uint32_t>(row));
+        }
         boxes[p] = box;
     });
     BoundingBox all;
@@ -192,12 +206,12 @@ NearMesh near_mesh(const SegmentMesh& mesh, std::span<const Vec3> points, double
             m.segment_index[k] = by_key[k].second;
     }
 
-    for (uint32_t row = 0; row < rows; ++row)
-        if (near[row]) m.node_row.push_back(row);
+    for (const auto& r : near_rows)
+        m.node_row.insert(m.node_row.end(), r.begin(), r.end());
     const auto by_id = [&](uint32_t a, uint32_t b) { return mesh.node_id[a] < mesh.node_id[b]; };
     if (!std::is_sorted(m.node_row.begin(), m.node_row.end(), by_id))
         std::sort(m.node_row.begin(), m.node_row.end(), by_id);
-    Buffer<uint32_t> local(rows);
+    Buffer<uint32_t>& local = at_row; // cells and flags are done with
     for (uint32_t i = 0; i < m.node_row.size(); ++i) {
         local[m.node_row[i]] = i;
         m.node_id.push_back(mesh.node_id[m.node_row[i]]);
@@ -236,7 +250,7 @@ NearMesh near_mesh(const SegmentMesh& mesh, std::span<const Vec3> points, double
     return m;
 }
 
-double first_reach(const SegmentMesh& mesh) {
+double first_reach(const SegmentMesh& mesh, double around_elements) {
     constexpr std::size_t samples = 256;
     double sum = 0;
     std::size_t count = 0;
@@ -247,7 +261,8 @@ double first_reach(const SegmentMesh& mesh) {
         sum += distance(mesh.x[n[0]], mesh.x[n[2]]);
         ++count;
     }
-    return count > 0 ? 3 * sum / static_cast<double>(count) : 1;
+    const double diagonal = sum / static_cast<double>(count), side = diagonal / std::sqrt(2.0);
+    return count > 0 ? 3 * diagonal + around_elements * side : 1;
 }
 
 double next_reach(const NearMesh& part, std::span<const Vec3> points, double wanted) {

@@ -78,13 +78,55 @@ void find_other_layers(const NearMesh& mesh, const ClosestSegment& closest, Bead
         look_at_every(1);
 }
 
-/// Exact closest segments of all beads of a surface, and the part of the surface around them.
-void find_closest(const Model& model, const Surface& surface, const std::vector<BeadAnalysis*>& beads,
-                  SurfaceAnalysis& out, bool sides, bool layers, unsigned threads) {
+void take(BeadHit& h, const NearMesh& mesh, const ClosestHit& closest) {
+    h.closest = closest;
+    h.segment = mesh.segment_index[closest.segment];
+    h.element = std::sqrt(area(mesh.corners(closest.segment)));
+}
+
+/// The hits that the contact has found; whether the part of the surface that it has made is large enough for
+/// the rules too.
+bool take_hits(const NearMesh& mesh, const std::vector<InterfaceContact>& contact, bool sides,
+               const std::vector<BeadAnalysis*>& beads) {
+    const auto complete = [&](Vec3 x, const BeadHit& h) {
+        const double r = h.closest.foot.distance + (sides ? side_limits.reach * h.element : 0);
+        return h.closest.exact && mesh.covers(x - Vec3{r, r, r}, x + Vec3{r, r, r});
+    };
+    for (BeadAnalysis* a : beads) {
+        const auto one = std::find_if(contact.begin(), contact.end(),
+                                      [&](const InterfaceContact& c) { return c.bead == a->bead; });
+        if (one == contact.end() || one->contact.node.size() != a->x.size()) return false;
+        a->hit.assign(a->x.size(), {});
+        for (std::size_t i = 0; i < a->x.size(); ++i) {
+            const ClosestHit& exact = one->contact.node[i].exact;
+            if (!exact.found()) return false;
+            take(a->hit[i], mesh, exact);
+            if (!complete(a->x[i], a->hit[i])) return false;
+        }
+    }
+    return true;
+}
+
+/// Exact closest segments of all beads of a surface, and the part of the surface around them: from the
+/// contact where it is there and large enough.
+void find_closest(const Model& model, std::size_t number, const std::vector<BeadAnalysis*>& beads,
+                  const DeckContact& contact, SurfaceAnalysis& out, bool sides, bool layers,
+                  unsigned threads) {
+    if (!contact.surfaces.empty()) {
+        const NearMesh& mesh = contact.surfaces[number].mesh;
+        if (!mesh.segment.empty() && take_hits(mesh, contact.interfaces, sides, beads)) {
+            out.near = mesh;
+            if (!layers) return;
+            const ClosestSegment closest(mesh);
+            for (BeadAnalysis* a : beads)
+                find_other_layers(mesh, closest, *a, threads);
+            return;
+        }
+    }
     std::vector<Vec3> points;
     for (const BeadAnalysis* a : beads)
         points.insert(points.end(), a->x.begin(), a->x.end());
-    const SegmentMesh mesh = segment_mesh(model, surface);
+    const SegmentMesh mesh = segment_mesh(model, model.surfaces()[number]);
     const double elements = sides ? side_limits.reach + 1 : 0;
     double least_margin = 0;
     while (true) {
@@ -98,12 +140,8 @@ void find_closest(const Model& model, const Surface& surface, const std::vector<
             constexpr std::size_t chunk = 128;
             parallel_for(threads, (a->x.size() + chunk - 1) / chunk, [&](std::size_t piece) {
                 const std::size_t end = std::min(a->x.size(), (piece + 1) * chunk);
-                for (std::size_t i = piece * chunk; i < end; ++i) {
-                    BeadHit& h = a->hit[i];
-                    h.closest = closest.find(a->x[i]);
-                    h.segment = near.mesh.segment_index[h.closest.segment];
-                    h.element = std::sqrt(area(near.mesh.corners(h.closest.segment)));
-                }
+                for (std::size_t i = piece * chunk; i < end; ++i)
+                    take(a->hit[i], near.mesh, closest.find(a->x[i]));
             });
             for (std::size_t i = 0; sides && i < a->x.size(); ++i)
                 if (const double reach = side_limits.reach * a->hit[i].element;
@@ -165,23 +203,25 @@ Analysis analyse(const Deck&, const Model& model, Needs needs, unsigned threads)
     for (const Drawbead& bead : model.drawbeads())
         out.beads.push_back(analyse_line(model, bead));
 
+    if (has(needs, analysis_contact)) {
+        const double around = has(needs, analysis_sides) ? side_limits.reach : 0;
+        out.contact = contact_of(model, {.layer_ratio = 0, .around_elements = around, .threads = threads});
+        for (const InterfaceContact& one : out.contact.interfaces)
+            out.starter.push_back(one.starter);
+    } else if (has(needs, Needs::coordinates) && has(needs, Needs::blank_elements)) {
+        out.starter = starter_of(model, threads);
+    }
+
     for (std::size_t s = 0; s < out.surfaces.size(); ++s) {
         const Surface& surface = model.surfaces()[s];
         std::vector<BeadAnalysis*> beads;
         for (BeadAnalysis& a : out.beads)
             if (a.surface == &surface && !a.x.empty()) beads.push_back(&a);
         if (has(needs, analysis_closest))
-            find_closest(model, surface, beads, out.surfaces[s], has(needs, analysis_sides),
+            find_closest(model, s, beads, out.contact, out.surfaces[s], has(needs, analysis_sides),
                          has(needs, analysis_layers), threads);
         if (has(needs, analysis_clashes))
             out.surfaces[s].clashes = edge_clashes(surface.segments.span(), model.nodes().size(), threads);
-    }
-    if (has(needs, analysis_contact)) {
-        out.contact = contact_of(model, {.layer_ratio = 0, .threads = threads});
-        for (const InterfaceContact& one : out.contact.interfaces)
-            out.starter.push_back(one.starter);
-    } else if (has(needs, Needs::coordinates) && has(needs, Needs::blank_elements)) {
-        out.starter = starter_of(model, threads);
     }
     if (!lines) return out;
     parallel_for(threads, out.beads.size(), [&](std::size_t i) {

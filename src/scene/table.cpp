@@ -37,7 +37,7 @@ void take_segment(const Model& model, const InterfaceContact& one, std::size_t i
     row.slope_read = node.slope_read;
     row.reset = one.contact.slope.kind == Slope::reset;
     row.closest_n = user_ids(model, nodes_of(one.surface->segments[node.closest]));
-    row.closest_distance = node.closest_distance;
+    row.closest_distance = node.exact.d;
     row.same_segment = node.segment == node.closest;
     // The manual's comparison as it stands there: a force per squared length against a force per length.
     row.manual_slope = bead.depth > 0 ? bead.fn_first / bead.depth : node.k;

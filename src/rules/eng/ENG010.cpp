@@ -14,9 +14,9 @@ namespace {
 /// contact, else the shift of the ramp over DEPTH.
 double share_at_stake(const BeadNodeContact& n, const ClosestHit& closest, double depth) {
     if (n.segment == n.closest || closest.on_free_edge) return 0; // beside a rim: SRF009
-    if (n.inside != n.in_contact_range) return 1;
+    if (n.inside != n.exact.in_contact_range()) return 1;
     if (!n.inside || depth <= 0) return 0;
-    return std::min(std::abs(n.distance - n.closest_distance) / depth, 1.0);
+    return std::min(std::abs(n.distance - n.exact.d) / depth, 1.0);
 }
 
 void check(const RuleContext& context, FindingSink& sink) {
@@ -53,7 +53,7 @@ void check(const RuleContext& context, FindingSink& sink) {
             ": by the manual the closest segment counts; the solver searches along neighbours (node " +
             std::to_string(node_id(context, *a, worst_node)) + ": closest " +
             segment_name(context, *a->surface, n.closest) + " at " +
-            quantity(n.closest_distance, units, length_dimension, 3) + ", taken " +
+            quantity(n.exact.d, units, length_dimension, 3) + ", taken " +
             segment_name(context, *a->surface, n.segment) +
             (n.inside ? " at " + quantity(n.distance, units, length_dimension, 3)
                       : std::string(", beside it")) +
