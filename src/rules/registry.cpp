@@ -98,7 +98,7 @@ std::string_view page_of(std::string_view code) {
 }
 
 std::vector<Rule> build_registry() {
-#define DRAWBEAD_ADDRESS(code) &code,
+#define DRAWBEAD_ADDRESS(code) &(code),
     std::vector<Rule> rules;
     for (const Rule* rule : {DRAWBEAD_RULES(DRAWBEAD_ADDRESS)}) {
         rules.push_back(*rule);

@@ -24,7 +24,7 @@ void check(const RuleContext& context, FindingSink& sink) {
             "the viscous form of " + bead_name(*a->bead) + " reaches Ft only where the sheet slides at " +
             speed(needed) + "; at " + speed(press) + ", the speed of a press, it holds with " +
             quantity(reached, units, force_dimension) + ", " + number(share, 3) + " % of its total";
-        draft.notes.push_back("masses are those of the shells of the surface, without added mass");
+        draft.notes.emplace_back("masses are those of the shells of the surface, without added mass");
         draft.measured.push_back({"speed to reach Ft", needed, speed_unit});
         draft.measured.push_back({"speed", press, speed_unit});
         draft.measured.push_back({"restraint", reached, unit_name(units, force_dimension)});
