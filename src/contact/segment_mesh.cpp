@@ -244,8 +244,11 @@ NearMesh near_mesh(const SegmentMesh& mesh, std::span<const Vec3> points, double
             if (distinct(m.segment[s], k)) m.around[next[m.segment[s][k]]++] = s;
     if (!whole) {
         m.complete.resize(m.x.size());
-        for (uint32_t i = 0; i < m.x.size(); ++i)
-            m.complete[i] = m.covers(m.x[i], m.x[i]);
+        constexpr std::size_t few = 1 << 12;
+        parallel_for(threads, (m.x.size() + few - 1) / few, [&](std::size_t p) {
+            for (std::size_t i = p * few; i < std::min(m.x.size(), (p + 1) * few); ++i)
+                m.complete[i] = m.covers(m.x[i], m.x[i]);
+        });
     }
     return m;
 }

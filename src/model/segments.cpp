@@ -260,6 +260,7 @@ void find_elements_behind(const Tables& tables, unsigned threads,
 }
 
 void turn_faces_outward(const Tables& tables, Surface& surface) {
+    if (tables.solids.id.empty()) return;
     for (std::size_t i = surface.lines.size(); i < surface.segments.size(); ++i) {
         Segment& segment = surface.segments[i];
         if (segment.kind == ElementKind::solid && segment.solid_backed)

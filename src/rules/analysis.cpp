@@ -6,6 +6,7 @@
 #include "scene/deck_contact.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <utility>
 
@@ -54,7 +55,7 @@ constexpr SideLimits side_limits{};
 void find_other_layers(const NearMesh& mesh, const ClosestSegment& closest, BeadAnalysis& a,
                        unsigned threads) {
     constexpr double ratio = 1.5, elements = 2; // as ContactOptions
-    constexpr std::size_t looked_at = 256, chunk = 32;
+    constexpr std::size_t looked_at = 96, chunk = 16;
     const auto look = [&](std::size_t i) {
         BeadHit& h = a.hit[i];
         const double distance = h.closest.foot.distance;
@@ -87,7 +88,7 @@ void take(BeadHit& h, const NearMesh& mesh, const ClosestHit& closest) {
 /// The hits that the contact has found; whether the part of the surface that it has made is large enough for
 /// the rules too.
 bool take_hits(const NearMesh& mesh, const std::vector<InterfaceContact>& contact, bool sides,
-               const std::vector<BeadAnalysis*>& beads) {
+               const std::vector<BeadAnalysis*>& beads, unsigned threads) {
     const auto complete = [&](Vec3 x, const BeadHit& h) {
         const double r = h.closest.foot.distance + (sides ? side_limits.reach * h.element : 0);
         return h.closest.exact && mesh.covers(x - Vec3{r, r, r}, x + Vec3{r, r, r});
@@ -96,13 +97,18 @@ bool take_hits(const NearMesh& mesh, const std::vector<InterfaceContact>& contac
         const auto one = std::find_if(contact.begin(), contact.end(),
                                       [&](const InterfaceContact& c) { return c.bead == a->bead; });
         if (one == contact.end() || one->contact.node.size() != a->x.size()) return false;
-        a->hit.assign(a->x.size(), {});
-        for (std::size_t i = 0; i < a->x.size(); ++i) {
-            const ClosestHit& exact = one->contact.node[i].exact;
-            if (!exact.found()) return false;
-            take(a->hit[i], mesh, exact);
-            if (!complete(a->x[i], a->hit[i])) return false;
-        }
+        const std::vector<BeadNodeContact>& nodes = one->contact.node;
+        a->hit.assign(nodes.size(), {});
+        std::atomic<bool> enough = true;
+        constexpr std::size_t chunk = 64;
+        parallel_for(threads, (nodes.size() + chunk - 1) / chunk, [&](std::size_t piece) {
+            const std::size_t end = std::min(nodes.size(), (piece + 1) * chunk);
+            for (std::size_t i = piece * chunk; i < end; ++i) {
+                if (nodes[i].exact.found()) take(a->hit[i], mesh, nodes[i].exact);
+                if (!nodes[i].exact.found() || !complete(a->x[i], a->hit[i])) enough = false;
+            }
+        });
+        if (!enough) return false;
     }
     return true;
 }
@@ -114,7 +120,7 @@ void find_closest(const Model& model, std::size_t number, const std::vector<Bead
                   unsigned threads) {
     if (!contact.surfaces.empty()) {
         const NearMesh& mesh = contact.surfaces[number].mesh;
-        if (!mesh.segment.empty() && take_hits(mesh, contact.interfaces, sides, beads)) {
+        if (!mesh.segment.empty() && take_hits(mesh, contact.interfaces, sides, beads, threads)) {
             out.near = mesh;
             if (!layers) return;
             const ClosestSegment closest(mesh);
