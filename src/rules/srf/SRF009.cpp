@@ -44,7 +44,8 @@ void check(const RuleContext& context, FindingSink& sink) {
                         "; the surface covers " + number(share, 3) +
                         " % of the bead's length: " + cost_text(context, *a, fn, ft);
         if (a->bead->depth <= 0 && a->bead->fn_first != 0)
-            draft.notes.emplace_back("without DEPTH the normal force acts beside the surface, too, on its rim");
+            draft.notes.emplace_back(
+                "without DEPTH the normal force acts beside the surface, too, on its rim");
         draft.measured.push_back({"covered length", share, "%"});
         measure_cost(context, *a, fn, ft, draft);
         draft.help = "end the bead where the blank ends, or choose the surface that lies under it";
