@@ -13,6 +13,7 @@ namespace drawbead {
 int run(const CheckCommand&);
 int run(const TableCommand&);
 int run(const InfoCommand&);
+int run(const AuditCommand&);
 int run(const RulesCommand&);
 int run(const ExplainCommand&);
 int run(const SchemaCommand&);

@@ -46,18 +46,20 @@ private:
     Words option_names(const CLI::App& command) const;
 
     CLI::App app_{"Checks drawbeads (/INTER/TYPE8) of Radioss and OpenRadioss starter decks.", "drawbead"};
-    CLI::App *check_, *table_, *info_, *rules_, *explain_, *schema_, *completion_;
+    CLI::App *check_, *table_, *info_, *audit_, *rules_, *explain_, *schema_, *completion_;
     CheckCommand check_values_;
     TableCommand table_values_;
     InfoCommand info_values_;
+    AuditCommand audit_values_;
     RulesCommand rules_values_;
     ExplainCommand explain_values_;
     SchemaCommand schema_values_;
     CompletionCommand completion_values_;
     std::deque<Choice> choices_;
-    Choice *check_format_, *fail_on_, *colour_, *table_format_, *info_format_, *rules_format_;
+    Choice *check_format_, *fail_on_, *colour_, *table_format_, *info_format_, *audit_law_, *audit_format_,
+        *rules_format_;
     Words select_, ignore_;
-    std::string threads_, interface_;
+    std::string threads_, interface_, tolerance_;
     std::map<const CLI::Option*, Words>
         suggestions_; ///< for completion, of options that take other words too
 };
@@ -118,6 +120,28 @@ Parser::Parser() {
     info_format_ = &choice(info_, "--format", {"text", "json"}, "How it is printed");
     reading_options(info_, info_values_.reading);
 
+    audit_ = app_.add_subcommand("audit", "Recompute a solver run from its recorded kinematics");
+    audit_->add_option("DECK", audit_values_.deck, "The deck, - for standard input")
+        ->required()
+        ->type_name("");
+    audit_
+        ->add_option("TRACE", audit_values_.trace,
+                     "The record: a CSV file, plain or gzip-compressed, one row per cycle and bead node")
+        ->required()
+        ->type_name("");
+    audit_
+        ->add_option("--tolerance", tolerance_,
+                     "Largest deviation, as a share of each quantity's scale (default 1e-12)")
+        ->type_name("N");
+    audit_law_ = &choice(audit_, "--law", {"solver", "manual"},
+                         "manual: say too how far the run was from the manual's law");
+    audit_format_ = &choice(audit_, "--format", {"text", "json"}, "How it is printed");
+    audit_
+        ->add_option("-o,--output", audit_values_.file,
+                     "Write the result to a file, all at once when complete")
+        ->type_name("FILE");
+    reading_options(audit_, audit_values_.reading);
+
     rules_ = app_.add_subcommand("rules", "List all rules");
     rules_format_ = &choice(rules_, "--format", {"text", "json"}, "How they are printed");
 
@@ -129,9 +153,9 @@ Parser::Parser() {
     schema_ = app_.add_subcommand("schema", "Print the JSON Schema of a document");
     suggestions_[schema_
                      ->add_option("NAME", schema_values_.name,
-                                  "report: what check --format json writes; table: what table does")
+                                  "report: what check --format json writes; table and audit: what these do")
                      ->required()
-                     ->type_name("")] = {"report", "table"};
+                     ->type_name("")] = {"report", "table", "audit"};
 
     completion_ = app_.add_subcommand("completion", "Print a completion script for a shell");
     suggestions_[completion_->add_option("SHELL", completion_values_.shell, "bash, zsh or fish")
@@ -181,6 +205,9 @@ std::optional<UsageError> Parser::finish() {
     check_values_.output.colour = static_cast<ColourMode>(index(*colour_));
     table_values_.format = static_cast<TableFormat>(index(*table_format_));
     info_values_.json = index(*info_format_) == 1;
+    audit_values_.json = index(*audit_format_) == 1;
+    audit_values_.law = static_cast<AuditLaw>(index(*audit_law_));
+    if (audit_values_.file == "-") audit_values_.file.clear();
     rules_values_.json = index(*rules_format_) == 1;
     if (check_values_.output.file == "-") check_values_.output.file.clear();
     if (table_values_.file == "-") table_values_.file.clear();
@@ -207,6 +234,14 @@ std::optional<UsageError> Parser::finish() {
                               "see 'drawbead table --help'"};
         table_values_.interface_id = id;
     }
+    if (!tolerance_.empty()) {
+        const char* end = tolerance_.data() + tolerance_.size();
+        const auto [stop, error] = std::from_chars(tolerance_.data(), end, audit_values_.tolerance);
+        if (error != std::errc() || stop != end || !(audit_values_.tolerance >= 0) ||
+            !(audit_values_.tolerance < 1))
+            return UsageError{"--tolerance needs a number, not '" + tolerance_ + "'",
+                              "please give 0 to below 1, such as 1e-12"};
+    }
     if (!threads_.empty()) {
         constexpr unsigned most = 1024;
         unsigned threads = 0;
@@ -216,7 +251,7 @@ std::optional<UsageError> Parser::finish() {
             return UsageError{"-j needs a number of threads, not '" + threads_ + "'",
                               "please give 0 (all cores) to 1024"};
         check_values_.reading.threads = table_values_.reading.threads = info_values_.reading.threads =
-            threads;
+            audit_values_.reading.threads = threads;
     }
     return std::nullopt;
 }
@@ -282,6 +317,7 @@ std::variant<Command, UsageError> Parser::parse(int argc, const char* const* arg
     if (check_->parsed()) return Command{check_values_};
     if (table_->parsed()) return Command{table_values_};
     if (info_->parsed()) return Command{info_values_};
+    if (audit_->parsed()) return Command{audit_values_};
     if (rules_->parsed()) return Command{rules_values_};
     if (explain_->parsed()) return Command{explain_values_};
     if (schema_->parsed()) return Command{schema_values_};

@@ -53,6 +53,17 @@ struct InfoCommand {
     ReadArguments reading;
 };
 
+enum class AuditLaw { solver, manual };
+
+struct AuditCommand {
+    std::string deck, trace;
+    double tolerance = 1e-12;
+    AuditLaw law = AuditLaw::solver;
+    bool json = false;
+    std::string file; ///< empty: standard output
+    ReadArguments reading;
+};
+
 struct RulesCommand {
     bool json = false;
 };
@@ -74,8 +85,8 @@ struct PrintCommand {
     std::string text;
 };
 
-using Command = std::variant<CheckCommand, TableCommand, InfoCommand, RulesCommand, ExplainCommand,
-                             SchemaCommand, CompletionCommand, PrintCommand>;
+using Command = std::variant<CheckCommand, TableCommand, InfoCommand, AuditCommand, RulesCommand,
+                             ExplainCommand, SchemaCommand, CompletionCommand, PrintCommand>;
 
 /// A command line that cannot be understood.
 struct UsageError {
