@@ -8,8 +8,12 @@ template <class Real>
 struct BasicVec3 {
     Real x = 0, y = 0, z = 0;
 
-    friend constexpr BasicVec3 operator+(BasicVec3 a, BasicVec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-    friend constexpr BasicVec3 operator-(BasicVec3 a, BasicVec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+    friend constexpr BasicVec3 operator+(BasicVec3 a, BasicVec3 b) {
+        return {a.x + b.x, a.y + b.y, a.z + b.z};
+    }
+    friend constexpr BasicVec3 operator-(BasicVec3 a, BasicVec3 b) {
+        return {a.x - b.x, a.y - b.y, a.z - b.z};
+    }
     friend constexpr BasicVec3 operator-(BasicVec3 a) { return {-a.x, -a.y, -a.z}; }
     friend constexpr BasicVec3 operator*(Real s, BasicVec3 a) { return {s * a.x, s * a.y, s * a.z}; }
     friend constexpr BasicVec3 operator*(BasicVec3 a, Real s) { return {a.x * s, a.y * s, a.z * s}; }
