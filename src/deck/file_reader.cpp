@@ -58,6 +58,13 @@ FileBytes::FileBytes(std::string text) : size_(text.size()), owned_(new char[tex
     data_ = owned_.get();
 }
 
+FileBytes FileBytes::view_of(std::string_view bytes) {
+    FileBytes out;
+    out.data_ = bytes.data();
+    out.size_ = bytes.size();
+    return out;
+}
+
 FileBytes::FileBytes(FileBytes&& other) noexcept
     : data_(std::exchange(other.data_, nullptr)), size_(std::exchange(other.size_, 0)),
       owned_(std::move(other.owned_)), mapped_(std::exchange(other.mapped_, false)) {}

@@ -15,6 +15,8 @@ class FileBytes {
 public:
     FileBytes() = default;
     explicit FileBytes(std::string text);
+    /// Bytes that somebody else owns and keeps.
+    static FileBytes view_of(std::string_view bytes);
     FileBytes(FileBytes&&) noexcept;
     FileBytes& operator=(FileBytes&&) noexcept;
     ~FileBytes();

@@ -38,59 +38,37 @@ struct Sorted {
     auto key() const { return std::tie(file, line, column, finding.code, finding.message); }
 };
 
-ResolvedPlace resolve(const Deck& deck, const Span& span) {
-    constexpr std::size_t longest_snippet = 160;
-    const SourceFile& file = deck.file(span.file);
-    ResolvedPlace place;
-    place.file = file.path();
-    const uint64_t begin = std::min<uint64_t>(span.begin, file.bytes().size());
-    const SourceFile::Position at = file.at(begin);
-    const std::string_view line = file.line_at(begin);
-    place.line = at.line;
-    place.column = at.column;
-    // The end stays on the first line; an empty place is shown as one column wide.
-    const uint64_t past_line = uint64_t{line.size()} + 1;
-    const uint64_t end = std::min<uint64_t>(at.column + (span.end > begin ? span.end - begin : 0), past_line);
-    place.end_column = std::max(static_cast<uint32_t>(end), at.column + 1);
-    place.snippet = printable(line.substr(0, longest_snippet));
-    return place;
+/// The finding that a draft becomes.
+Sorted finding_of(const Deck& deck, const Rule& rule, const Draft& draft) {
+    constexpr std::size_t most_places = 100;
+    const RuleInfo& info = rule.info;
+    Finding f;
+    f.code = info.code;
+    f.name = info.name;
+    f.severity = draft.severity.value_or(info.severity);
+    f.message = draft.message;
+    f.interface_id = draft.interface_id;
+    f.places.push_back(resolve(deck, draft.primary));
+    for (const Span& span : draft.related) {
+        if (f.places.size() == most_places) break;
+        f.places.push_back(resolve(deck, span));
+    }
+    f.place_count = std::max<uint64_t>(draft.place_count, 1 + draft.related.size());
+    f.entities = draft.entities;
+    f.measured = draft.measured;
+    f.notes = draft.notes;
+    f.help = draft.help;
+    if (rule.fix) f.fixes = draft.fixes;
+    f.fingerprint = fingerprint(f.code, f.interface_id, f.entities, draft.discriminator);
+    const ResolvedPlace& first = f.places.front();
+    return {index(draft.primary.file), first.line, first.column, std::move(f)};
 }
 
-/// Collects what one rule says.
 class Collector final : public FindingSink {
 public:
-    Collector(const Deck& deck, const RuleInfo& info) : deck_(deck), info_(info) {}
+    void add(Draft draft) override { drafts.push_back(std::move(draft)); }
 
-    void add(Draft draft) override {
-        constexpr std::size_t most_places = 100;
-        Finding f;
-        f.code = info_.code;
-        f.name = info_.name;
-        f.severity = draft.severity.value_or(info_.severity);
-        f.message = std::move(draft.message);
-        f.interface_id = draft.interface_id;
-        f.places.push_back(resolve(deck_, draft.primary));
-        for (const Span& span : draft.related) {
-            if (f.places.size() == most_places) break;
-            f.places.push_back(resolve(deck_, span));
-        }
-        f.place_count = std::max<uint64_t>(draft.place_count, 1 + draft.related.size());
-        f.entities = std::move(draft.entities);
-        f.measured = std::move(draft.measured);
-        f.notes = std::move(draft.notes);
-        f.help = std::move(draft.help);
-        f.fixes = std::move(draft.fixes);
-        f.fingerprint = fingerprint(f.code, f.interface_id, f.entities, draft.discriminator);
-        const ResolvedPlace& first = f.places.front();
-        found_.push_back({index(draft.primary.file), first.line, first.column, std::move(f)});
-    }
-
-    std::vector<Sorted> take() { return std::move(found_); }
-
-private:
-    const Deck& deck_;
-    const RuleInfo& info_;
-    std::vector<Sorted> found_;
+    std::vector<Draft> drafts;
 };
 
 double polyline_length(const Model& model, const NodeGroup& group) {
@@ -146,7 +124,27 @@ DeckInfo describe(const Deck& deck, const Model& model) {
     return info;
 }
 
-DeckResult failed(const std::string& path, const Error& error) {
+} // namespace
+
+ResolvedPlace resolve(const Deck& deck, const Span& span) {
+    constexpr std::size_t longest_snippet = 160;
+    const SourceFile& file = deck.file(span.file);
+    ResolvedPlace place;
+    place.file = file.path();
+    const uint64_t begin = std::min<uint64_t>(span.begin, file.bytes().size());
+    const SourceFile::Position at = file.at(begin);
+    const std::string_view line = file.line_at(begin);
+    place.line = at.line;
+    place.column = at.column;
+    // The end stays on the first line; an empty place is shown as one column wide.
+    const uint64_t past_line = uint64_t{line.size()} + 1;
+    const uint64_t end = std::min<uint64_t>(at.column + (span.end > begin ? span.end - begin : 0), past_line);
+    place.end_column = std::max(static_cast<uint32_t>(end), at.column + 1);
+    place.snippet = printable(line.substr(0, longest_snippet));
+    return place;
+}
+
+DeckResult unreadable_deck(const std::string& path, const Error& error) {
     DeckResult result;
     result.path = path;
     result.failure = error.message.empty() ? "cannot be read" : error.message;
@@ -155,8 +153,6 @@ DeckResult failed(const std::string& path, const Error& error) {
     result.failure_help = error.help;
     return result;
 }
-
-} // namespace
 
 bool Selection::operator()(const RuleInfo& info) const {
     const int wanted = select.empty() ? 1 : closest(select, info);
@@ -174,33 +170,36 @@ std::optional<std::string> Selection::unknown() const {
     return std::nullopt;
 }
 
-DeckResult check_deck(const std::string& path, FileReader& reader, const ReadOptions& read_options,
-                      const CheckOptions& options) {
-    const Result<Deck> read = Deck::read(path, reader, read_options);
-    if (!read) return failed(path, read.error());
-    const Deck& deck = *read;
+Result<std::unique_ptr<CheckedDeck>> read_and_check(const std::string& path, FileReader& reader,
+                                                    const ReadOptions& read_options,
+                                                    std::span<const Rule* const> rules, Needs more,
+                                                    unsigned threads) {
+    Result<Deck> read = Deck::read(path, reader, read_options);
+    if (!read) return read.error();
+    Needs needs = Needs::counts | more;
+    for (const Rule* rule : rules)
+        needs = needs | rule->needs;
+    auto checked = std::make_unique<CheckedDeck>();
+    checked->deck = std::make_unique<Deck>(std::move(*read));
+    checked->model = Model::build(*checked->deck, needs, threads);
+    checked->analysis = analyse(*checked->deck, checked->model, needs, threads);
 
-    std::vector<const Rule*> rules;
-    Needs needs = Needs::counts;
-    for (const Rule& rule : registry())
-        if (options.selection(rule.info)) {
-            rules.push_back(&rule);
-            needs = needs | rule.needs;
-        }
-    const Model model = Model::build(deck, needs, options.threads);
-    const Analysis analysis = analyse(deck, model, needs, options.threads);
-    const RuleContext context{deck, model, analysis};
+    std::vector<Collector> by_rule(rules.size());
+    parallel_for(threads, rules.size(),
+                 [&](std::size_t i) { rules[i]->check(checked->context(), by_rule[i]); });
+    for (std::size_t i = 0; i < rules.size(); ++i)
+        for (Draft& draft : by_rule[i].drafts)
+            checked->drafts.push_back({rules[i], std::move(draft)});
+    return checked;
+}
 
-    std::vector<std::vector<Sorted>> by_rule(rules.size());
-    parallel_for(options.threads, rules.size(), [&](std::size_t i) {
-        Collector sink(deck, rules[i]->info);
-        rules[i]->check(context, sink);
-        by_rule[i] = sink.take();
-    });
-
+DeckResult result_of(const CheckedDeck& checked) {
+    const Deck& deck = *checked.deck;
+    const Model& model = checked.model;
+    const Analysis& analysis = checked.analysis;
     std::vector<Sorted> all;
-    for (std::vector<Sorted>& found : by_rule)
-        std::move(found.begin(), found.end(), std::back_inserter(all));
+    for (const RuleDraft& one : checked.drafts)
+        all.push_back(finding_of(deck, *one.rule, one.draft));
     std::stable_sort(all.begin(), all.end(),
                      [](const Sorted& a, const Sorted& b) { return a.key() < b.key(); });
     // A file that is included twice says the same thing at the same place twice.
@@ -213,7 +212,7 @@ DeckResult check_deck(const std::string& path, FileReader& reader, const ReadOpt
               all.end());
 
     DeckResult result;
-    result.path = path;
+    result.path = deck.path();
     result.info = describe(deck, model);
     if (!analysis.starter.empty()) result.starter = starter_messages(model, analysis.starter);
     for (Sorted& one : all)
@@ -221,9 +220,18 @@ DeckResult check_deck(const std::string& path, FileReader& reader, const ReadOpt
     return result;
 }
 
+DeckResult check_deck(const std::string& path, FileReader& reader, const ReadOptions& read_options,
+                      const CheckOptions& options) {
+    std::vector<const Rule*> rules;
+    for (const Rule& rule : registry())
+        if (options.selection(rule.info)) rules.push_back(&rule);
+    const auto checked = read_and_check(path, reader, read_options, rules, Needs::none, options.threads);
+    return checked ? result_of(**checked) : unreadable_deck(path, checked.error());
+}
+
 DeckResult describe_deck(const std::string& path, FileReader& reader, const ReadOptions& options) {
     const Result<Deck> read = Deck::read(path, reader, options);
-    if (!read) return failed(path, read.error());
+    if (!read) return unreadable_deck(path, read.error());
     DeckResult result;
     result.path = path;
     result.info =

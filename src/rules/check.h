@@ -1,8 +1,11 @@
 #pragma once
 // Runs rules over one deck.
 #include "findings/report.h"
+#include "rules/analysis.h"
 #include "rules/rule.h"
 
+#include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,6 +24,33 @@ struct CheckOptions {
     Selection selection;
     unsigned threads = 1; ///< within one deck
 };
+
+/// What one rule said of one thing.
+struct RuleDraft {
+    const Rule* rule = nullptr;
+    Draft draft;
+};
+
+/// A deck with all that was made of it and what the rules say.
+struct CheckedDeck {
+    std::unique_ptr<Deck> deck;
+    Model model;
+    Analysis analysis;
+    std::vector<RuleDraft> drafts; ///< by rule, in the order of the registry
+
+    RuleContext context() const { return {*deck, model, analysis}; }
+};
+
+/// Runs the rules over a deck that can be read. `more`: needs beyond those of the rules.
+Result<std::unique_ptr<CheckedDeck>> read_and_check(const std::string& path, FileReader&, const ReadOptions&,
+                                                    std::span<const Rule* const> rules, Needs more,
+                                                    unsigned threads);
+/// The same as a result that owns what it says: findings sorted by place.
+DeckResult result_of(const CheckedDeck&);
+/// A deck that cannot be read.
+DeckResult unreadable_deck(const std::string& path, const Error&);
+/// A place with its line and column.
+ResolvedPlace resolve(const Deck&, const Span&);
 
 /// Reads `path`, builds what the selected rules need, runs them. Never fails: a deck that cannot be read is a
 /// result with `failure` set.

@@ -103,6 +103,7 @@ std::vector<Rule> build_registry() {
     for (const Rule* rule : {DRAWBEAD_RULES(DRAWBEAD_ADDRESS)}) {
         rules.push_back(*rule);
         rules.back().info.page = page_of(rule->info.code);
+        if (!rule->fix) rules.back().info.fix = FixAvailability::none;
     }
 #undef DRAWBEAD_ADDRESS
     return rules;

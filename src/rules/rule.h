@@ -2,6 +2,7 @@
 // One rule is one .cpp with a page of the same name beside it, and one line in registry.cpp.
 #include "deck/deck.h"
 #include "findings/finding.h"
+#include "fix/planner.h"
 #include "model/model.h"
 
 #include <optional>
@@ -20,7 +21,8 @@ struct Draft {
     std::vector<Span> related; ///< in order of importance; the sink keeps the first 99
     uint64_t place_count = 0;  ///< of all places when more than listed, else 0
     std::optional<InterfaceId> interface_id;
-    std::optional<Severity> severity; ///< when it differs from the rule's own
+    std::optional<SurfaceId> surface_id; ///< of the surface that it is about, for its fix
+    std::optional<Severity> severity;    ///< when it differs from the rule's own
     Entities entities;
     std::vector<Measure> measured;
     std::vector<std::string> notes;
@@ -46,6 +48,10 @@ struct Rule {
     RuleInfo info;
     Needs needs = Needs::none;
     void (*check)(const RuleContext&, FindingSink&) = nullptr;
+    Needs fix_needs = Needs::none; ///< what `fix` looks at and `check` does not
+    /// Repairs what a draft of `check` says, see fix/planner.h; empty when there is no repair that is no
+    /// guess. Without it the rule's findings offer no fix.
+    std::optional<Fix> (*fix)(const RuleContext&, const Draft&, FixPlanner&) = nullptr;
 };
 
 /// All rules, sorted by code.

@@ -1,0 +1,378 @@
+#include "rules/fix.h"
+
+#include "rules/support.h"
+#include "rules/text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <tuple>
+
+namespace drawbead {
+
+namespace {
+
+constexpr std::array<std::string_view, 10> family_order{"SYN", "REF", "LIN", "SRF", "PAR",
+                                                        "STB", "KIN", "CTX", "ENG", "SUP"};
+
+std::size_t stage_of(const RuleInfo& info) {
+    const auto at = std::find(family_order.begin(), family_order.end(), info.family());
+    return static_cast<std::size_t>(at - family_order.begin());
+}
+
+/// What a finding is about, whatever its numbers are.
+struct Subject {
+    std::string code;
+    InterfaceId interface_id = 0;
+    SurfaceId surface_id = 0;
+    std::string discriminator;
+    friend auto operator<=>(const Subject&, const Subject&) = default;
+};
+Subject subject_of(const RuleDraft& one) {
+    return {std::string(one.rule->info.code), one.draft.interface_id.value_or(0),
+            one.draft.surface_id.value_or(0), one.draft.discriminator};
+}
+
+Severity severity_of(const RuleDraft& one) {
+    return one.draft.severity.value_or(one.rule->info.severity);
+}
+
+/// The files of a deck as they would be after some edits; all others as they were read.
+class EditedReader final : public FileReader {
+public:
+    using Text = std::shared_ptr<const Buffer<char>>;
+
+    EditedReader(FileReader& disk, const Deck& deck, const EditList& edits) : disk_(disk) {
+        for (const auto& file : deck.files()) {
+            const auto id = FileId{static_cast<uint32_t>(texts_.size())};
+            const EditList mine = of_file(edits, id);
+            Text text;
+            std::string_view bytes = file->bytes();
+            if (!mine.empty()) {
+                auto made = std::make_shared<Buffer<char>>(edited_size(bytes, mine));
+                write_edited(bytes, mine, made->data());
+                bytes = {made->data(), made->size()};
+                text = std::move(made);
+            }
+            texts_.push_back(std::move(text));
+            files_.emplace(disk.identity(file->path()), bytes);
+        }
+    }
+
+    Result<FileBytes> read(const std::string& path) override {
+        const auto known = files_.find(disk_.identity(path));
+        return known == files_.end() ? disk_.read(path) : FileBytes::view_of(known->second);
+    }
+    bool exists(const std::string& path) override { return disk_.exists(path); }
+    std::string identity(const std::string& path) override { return disk_.identity(path); }
+    bool changed_since_read(const std::string& path) override { return disk_.changed_since_read(path); }
+
+    /// By file; empty for those that are as before.
+    const std::vector<Text>& texts() const { return texts_; }
+
+private:
+    FileReader& disk_;
+    std::map<std::string, std::string_view> files_;
+    std::vector<Text> texts_;
+};
+
+/// A fix that was planned for one draft.
+struct Planned {
+    const RuleDraft* finding = nullptr;
+    Subject subject;
+    Fix fix;
+    EditList edits;
+};
+
+/// The deck at the end of a round.
+struct State {
+    std::shared_ptr<const CheckedDeck> checked;
+    std::vector<EditedReader::Text> texts; ///< what its files live in; empty: as on the disk
+    EditList edits;                        ///< of the files as they were at first
+};
+
+class Fixer {
+public:
+    Fixer(const std::string& path, FileReader& disk, const ReadOptions& reading, const FixOptions& options)
+        : path_(path), disk_(disk), reading_(reading), options_(options) {
+        for (const Rule& rule : registry()) {
+            rules_.push_back(&rule);
+            if (rule.fix && options.selection(rule.info)) needs_ = needs_ | rule.fix_needs;
+        }
+    }
+
+    FixOutcome run() {
+        FixOutcome outcome;
+        auto read = read_and_check(path_, disk_, reading_, rules_, needs_, options_.threads);
+        if (!read) {
+            outcome.before = unreadable_deck(path_, read.error());
+            return outcome;
+        }
+        State state{std::move(*read), {}, {}};
+        outcome.original = state.checked;
+        outcome.before = result_of(*state.checked);
+        bool alone = false;
+        while (outcome.rounds < options_.most_rounds) {
+            std::vector<Planned> plan = plan_round(*state.checked, alone, outcome.declined);
+            if (plan.empty()) break;
+            ++outcome.rounds;
+            EditList edits;
+            for (const Planned& one : plan)
+                edits.insert(edits.end(), one.edits.begin(), one.edits.end());
+            sort_edits(edits);
+            State next;
+            const std::string wrong = try_round(state, plan, edits, next);
+            if (wrong.empty()) {
+                for (Planned& one : plan)
+                    note(*state.checked, one, outcome.applied);
+                state = std::move(next);
+                alone = false;
+            } else if (plan.size() > 1) {
+                alone = true;
+            } else {
+                dropped_[plan.front().subject] = wrong;
+                alone = false;
+            }
+        }
+        outcome.result = state.checked;
+        outcome.after = result_of(*state.checked);
+        take_files(state, outcome);
+        compare_interfaces(outcome);
+        return outcome;
+    }
+
+private:
+    /// The fixes of the next round; `alone`: only one. What cannot be fixed goes to `declined`, which then
+    /// describes this round.
+    std::vector<Planned> plan_round(const CheckedDeck& checked, bool alone,
+                                    std::vector<DeclinedFix>& declined) {
+        std::vector<Planned> plan;
+        declined.clear();
+        IssueLog unreported;
+        const OptionIndex index(*checked.deck, unreported);
+        FreeIds ids(*checked.deck, index, checked.model);
+        BlockFinder blocks(*checked.deck);
+        std::set<const Block*> claimed;
+        EditList accepted;
+
+        std::vector<const RuleDraft*> drafts;
+        for (const RuleDraft& one : checked.drafts)
+            if (one.rule->fix && options_.selection(one.rule->info)) drafts.push_back(&one);
+        std::stable_sort(drafts.begin(), drafts.end(), [](const RuleDraft* a, const RuleDraft* b) {
+            return stage_of(a->rule->info) < stage_of(b->rule->info);
+        });
+        std::size_t stage = family_order.size();
+        for (const RuleDraft* one : drafts) {
+            if (!plan.empty() && (alone || stage_of(one->rule->info) != stage)) break;
+            const FreeIds before = ids;
+            FixPlanner planner(*checked.deck, index, ids, options_.choices);
+            std::optional<Fix> fix = one->rule->fix(checked.context(), one->draft, planner);
+            Planned planned{one, subject_of(*one), {}, {}};
+            if (fix) planned.edits = planner.edits();
+            DeclinedFix reason = declined_fix(checked, *one);
+            if (fix) reason.title = fix->title;
+            const auto known_bad = dropped_.find(planned.subject);
+            reason.needs_unsafe = fix && fix->applicability == FixAvailability::unsafe &&
+                                  !options_.choices.unsafe && !planner.failed();
+            if (!fix || planner.failed())
+                reason.why = planner.failed() ? planner.failure() : "there is no repair that is no guess";
+            else if (reason.needs_unsafe)
+                reason.why = "the repair changes the physics or a choice: it needs --unsafe";
+            else if (known_bad != dropped_.end())
+                reason.why = known_bad->second;
+            else if (planned.edits.empty())
+                reason.why = "there is nothing to change in the text";
+            if (!reason.why.empty()) {
+                declined.push_back(std::move(reason));
+                ids = before;
+                continue;
+            }
+            std::set<const Block*> mine;
+            for (const Edit& e : planned.edits)
+                mine.insert(blocks.at(e.at));
+            for (const BlockIndex i : planner.claims())
+                mine.insert(&checked.deck->blocks()[i]);
+            const bool free = std::none_of(mine.begin(), mine.end(),
+                                           [&](const Block* b) { return claimed.count(b) != 0; }) &&
+                              compatible(accepted, planned.edits);
+            if (!free) {
+                ids = before;
+                continue;
+            }
+            claimed.insert(mine.begin(), mine.end());
+            accepted.insert(accepted.end(), planned.edits.begin(), planned.edits.end());
+            sort_edits(accepted);
+            stage = stage_of(one->rule->info);
+            planned.fix = std::move(*fix);
+            plan.push_back(std::move(planned));
+        }
+        return plan;
+    }
+
+    DeclinedFix declined_fix(const CheckedDeck& checked, const RuleDraft& one) const {
+        return {std::string(one.rule->info.code),
+                std::string(one.rule->info.name),
+                {},
+                one.draft.interface_id,
+                resolve(*checked.deck, one.draft.primary),
+                {},
+                false};
+    }
+
+    /// What is wrong with the result; empty when the round may stay, `next` is then the deck after it.
+    std::string try_round(const State& state, const std::vector<Planned>& plan, const EditList& edits,
+                          State& next) {
+        const CheckedDeck& before = *state.checked;
+        EditedReader reader(disk_, *before.deck, edits);
+        auto read = read_and_check(path_, reader, reading_, rules_, needs_, options_.threads);
+        if (!read) return "the result could not be read: " + read.error().message;
+        const CheckedDeck& after = **read;
+        if (after.deck->files().size() != before.deck->files().size())
+            return "the result would read other files";
+        for (std::size_t i = 0; i < after.deck->files().size(); ++i)
+            if (after.deck->files()[i]->path() != before.deck->files()[i]->path())
+                return "the result would read its files in another order";
+        std::set<Subject> found;
+        for (const RuleDraft& one : after.drafts)
+            found.insert(subject_of(one));
+        for (const Planned& one : plan)
+            if (found.count(one.subject) != 0) return "the finding was still there after the repair";
+        if (std::string error = new_error(before, after); !error.empty()) return error;
+        next.texts = reader.texts();
+        for (std::size_t i = 0; i < next.texts.size(); ++i)
+            if (!next.texts[i] && i < state.texts.size()) next.texts[i] = state.texts[i];
+        next.edits = then(state.edits, edits);
+        next.checked = std::move(*read);
+        return {};
+    }
+
+    /// The first error that was not there before. Those of new interfaces count when no interface had one of
+    /// the kind.
+    static std::string new_error(const CheckedDeck& before, const CheckedDeck& after) {
+        std::set<std::pair<std::string_view, InterfaceId>> known;
+        std::set<std::string_view> codes;
+        std::set<InterfaceId> interfaces;
+        for (const RuleDraft& one : before.drafts)
+            if (severity_of(one) == Severity::error) {
+                known.emplace(one.rule->info.code, one.draft.interface_id.value_or(0));
+                codes.insert(one.rule->info.code);
+            }
+        for (const Drawbead& bead : before.model.drawbeads())
+            interfaces.insert(bead.id);
+        for (const RuleDraft& one : after.drafts) {
+            if (severity_of(one) != Severity::error) continue;
+            const InterfaceId id = one.draft.interface_id.value_or(0);
+            const bool is_new = one.draft.interface_id && interfaces.count(id) == 0;
+            if (is_new ? codes.count(one.rule->info.code) != 0 : known.count({one.rule->info.code, id}) != 0)
+                continue;
+            return "it would bring a new error: " + std::string(one.rule->info.code) + " " +
+                   one.draft.message;
+        }
+        return {};
+    }
+
+    static void note(const CheckedDeck& checked, Planned& one, std::vector<AppliedFix>& applied) {
+        const RuleInfo& info = one.finding->rule->info;
+        applied.push_back({std::string(info.code), std::string(info.name), one.fix.title,
+                           one.fix.applicability == FixAvailability::safe, one.finding->draft.interface_id,
+                           resolve(*checked.deck, one.finding->draft.primary), one.finding->draft.message,
+                           std::move(one.fix.changes)});
+    }
+
+    static void take_files(const State& state, FixOutcome& outcome) {
+        const Deck &before = *outcome.original->deck, &after = *outcome.result->deck;
+        for (std::size_t i = 0; i < before.files().size(); ++i) {
+            const SourceFile& file = *before.files()[i];
+            EditList edits = minimal(file.bytes(), of_file(state.edits, FileId{static_cast<uint32_t>(i)}));
+            if (edits.empty()) continue;
+            outcome.files.push_back({file.path(), file.bytes(), after.files()[i]->bytes(), std::move(edits)});
+        }
+        outcome.texts = state.texts;
+    }
+
+    static InterfaceOutcome::State state_of(const CheckedDeck& checked, std::size_t i) {
+        InterfaceOutcome::State state;
+        const BeadAnalysis& a = checked.analysis.beads[i];
+        state.nodes = a.group ? a.group->nodes.size() : 0;
+        state.fn = a.fn_total;
+        state.ft = a.ft_total;
+        const UnitSystem& units = checked.deck->work_units();
+        if (i < checked.analysis.contact.interfaces.size() &&
+            checked.analysis.contact.interfaces[i].unknown.empty()) {
+            const SlopeChoice& slope = checked.analysis.contact.interfaces[i].contact.slope;
+            constexpr Dimension slope_dimension{1, -1, -2};
+            switch (slope.kind) {
+            case Slope::none:
+                state.slope = "none";
+                break;
+            case Slope::ramp:
+                state.slope = quantity(slope.ramp, units, slope_dimension, 6);
+                break;
+            case Slope::reset:
+                state.slope = "reset to the blank's stiffness";
+                break;
+            case Slope::depth_absent:
+                state.slope = "the blank's stiffness";
+                break;
+            }
+        }
+        return state;
+    }
+
+    static void compare_interfaces(FixOutcome& outcome) {
+        outcome.force_unit = unit_name(outcome.original->deck->work_units(), force_dimension);
+        std::map<InterfaceId, std::size_t> place;
+        std::vector<InterfaceOutcome> all;
+        const auto take = [&](const CheckedDeck& checked, const DeckResult& result, bool after) {
+            const auto& beads = checked.model.drawbeads();
+            for (std::size_t i = 0; i < beads.size(); ++i) {
+                const auto [at, added] = place.emplace(beads[i].id, all.size());
+                if (added) {
+                    all.emplace_back();
+                    all.back().id = beads[i].id;
+                    all.back().title = printable(beads[i].title);
+                }
+                InterfaceOutcome::State state = state_of(checked, i);
+                if (result.starter)
+                    for (const StarterMessages::Interface& one : result.starter->interfaces)
+                        if (one.id == beads[i].id) state.messages = one.messages;
+                (after ? all[at->second].after : all[at->second].before) = std::move(state);
+            }
+        };
+        take(*outcome.original, outcome.before, false);
+        take(*outcome.result, outcome.after, true);
+        for (const AppliedFix& fix : outcome.applied)
+            for (const InterfaceChange& change : fix.changes)
+                if (const auto at = place.find(change.interface_id); at != place.end()) {
+                    all[at->second].segments_turned += change.segments_turned;
+                    all[at->second].nodes_moved += change.nodes_moved;
+                }
+        for (InterfaceOutcome& one : all)
+            if (one.changed()) outcome.interfaces.push_back(std::move(one));
+    }
+
+    const std::string& path_;
+    FileReader& disk_;
+    const ReadOptions& reading_;
+    const FixOptions& options_;
+    std::vector<const Rule*> rules_;
+    Needs needs_ = Needs::none;
+    std::map<Subject, std::string> dropped_; ///< fixes that did not hold, and why
+};
+
+} // namespace
+
+bool InterfaceOutcome::changed() const {
+    if (segments_turned != 0 || nodes_moved != 0 || before.has_value() != after.has_value()) return true;
+    if (!before) return false;
+    return std::tie(before->nodes, before->fn, before->ft, before->slope, before->messages) !=
+           std::tie(after->nodes, after->fn, after->ft, after->slope, after->messages);
+}
+
+FixOutcome run_fixes(const std::string& path, FileReader& disk, const ReadOptions& reading,
+                     const FixOptions& options) {
+    return Fixer(path, disk, reading, options).run();
+}
+
+} // namespace drawbead

@@ -1,0 +1,86 @@
+#pragma once
+// Repairs a deck in rounds, and proves each of them. Writes nothing.
+//
+// A round looks at the families in the order SYN, REF, LIN, SRF, PAR, STB, KIN, CTX, ENG; the first one that
+// has a fix to make is the round's. Within it rules run by code and findings in the order of the rule; a fix
+// that changes a block that an earlier one of the round changes waits for the next round. The result is read
+// and checked again with every rule: a fix is kept when its finding is gone and no error is there that was
+// not before. Otherwise the fixes of the round are tried one by one, and those that fail are dropped and
+// reported. The rounds end when nothing is left to do; their edits are composed and refer to the files as
+// they were.
+#include "base/buffer.h"
+#include "rules/check.h"
+
+#include <map>
+
+namespace drawbead {
+
+struct FixOptions {
+    Selection selection; ///< whose findings are repaired; all rules are checked in any case
+    FixChoices choices;
+    unsigned threads = 1;
+    unsigned most_rounds = 24;
+};
+
+/// One repair that was made.
+struct AppliedFix {
+    std::string code, name, title;
+    bool safe = true;
+    std::optional<InterfaceId> interface_id;
+    ResolvedPlace place; ///< of the finding, in the text of its round
+    std::string message; ///< what the finding said
+    std::vector<InterfaceChange> changes;
+};
+
+/// A finding of a rule with a fix that was not repaired.
+struct DeclinedFix {
+    std::string code, name, title; ///< title: when a fix was tried
+    std::optional<InterfaceId> interface_id;
+    ResolvedPlace place;
+    std::string why;
+    bool needs_unsafe = false; ///< --unsafe would make it
+};
+
+/// One interface before and after.
+struct InterfaceOutcome {
+    struct State {
+        uint64_t nodes = 0;
+        double fn = 0, ft = 0;     ///< sum of limit times tributary length: force
+        std::string slope;         ///< with its unit; empty when not known
+        std::vector<int> messages; ///< what the Starter says, ascending
+    };
+    InterfaceId id = 0;
+    std::string title;
+    uint64_t segments_turned = 0, nodes_moved = 0;
+    std::optional<State> before; ///< empty: a new interface
+    std::optional<State> after;  ///< empty: it is gone
+
+    bool changed() const;
+};
+
+/// A file that changed.
+struct FixedFile {
+    std::string path;
+    std::string_view original, text;
+    EditList edits; ///< of the original
+};
+
+/// The outcome, which owns the texts.
+struct FixOutcome {
+    DeckResult before, after; ///< before.failure when the deck could not be read; `after` is empty then
+    std::vector<AppliedFix> applied;
+    std::vector<DeclinedFix> declined;
+    std::vector<InterfaceOutcome> interfaces; ///< that changed, in deck order, new ones last
+    std::vector<FixedFile> files;
+    std::string force_unit;
+    unsigned rounds = 0;
+
+    std::shared_ptr<const CheckedDeck> original, result;
+    std::vector<std::shared_ptr<const Buffer<char>>> texts;
+
+    bool changed() const { return !files.empty(); }
+};
+
+FixOutcome run_fixes(const std::string& path, FileReader&, const ReadOptions&, const FixOptions&);
+
+} // namespace drawbead
