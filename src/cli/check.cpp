@@ -2,9 +2,9 @@
 
 #include "base/parallel.h"
 #include "cli/commands.h"
-#include "cli/nearest.h"
 #include "cli/paths.h"
 #include "cli/reading.h"
+#include "cli/selection.h"
 #include "report/writer.h"
 
 #include <algorithm>
@@ -64,15 +64,6 @@ private:
     std::size_t next_ = 0;
 };
 
-void add(Summary& total, const Summary& part) {
-    total.decks += part.decks;
-    total.failed += part.failed;
-    total.interfaces += part.interfaces;
-    total.errors += part.errors;
-    total.warnings += part.warnings;
-    total.infos += part.infos;
-}
-
 std::unique_ptr<ReportWriter> make_writer(const CheckCommand& command, OutputSink& out) {
     const bool colour = command.output.file.empty() ? wants_colour(command.output.colour, STDOUT_FILENO)
                                                     : command.output.colour == ColourMode::always;
@@ -87,45 +78,13 @@ std::unique_ptr<ReportWriter> make_writer(const CheckCommand& command, OutputSin
     return json_writer(out, tool_version());
 }
 
-bool fails(const Summary& summary, FailOn fail_on) {
-    switch (fail_on) {
-    case FailOn::error:
-        return summary.errors > 0;
-    case FailOn::warning:
-        return summary.errors + summary.warnings > 0;
-    case FailOn::info:
-        return summary.errors + summary.warnings + summary.infos > 0;
-    case FailOn::never:
-        break;
-    }
-    return false;
-}
-
-/// Codes and families may be typed in any letter case.
-std::vector<std::string> canonical(std::vector<std::string> words) {
-    const std::vector<std::string> known = rule_words(false);
-    for (std::string& word : words)
-        if (const std::string upper = upper_case(word);
-            std::find(known.begin(), known.end(), upper) != known.end())
-            word = upper;
-    return words;
-}
-
-std::optional<Error> unknown_rule(const Selection& selection) {
-    const std::optional<std::string> word = selection.unknown();
-    if (!word) return std::nullopt;
-    std::string help = did_you_mean(*word, rule_words(true));
-    if (help.empty()) help = "'drawbead rules' lists all";
-    return Error{"no rule or family '" + *word + "'", "", 0, 0, help};
-}
-
 } // namespace
 
 int run(const CheckCommand& command) {
     const auto start = std::chrono::steady_clock::now();
-    const Selection selection{canonical(command.select), canonical(command.ignore)};
-    if (const std::optional<Error> error = unknown_rule(selection)) {
-        say_error(*error);
+    const Result<Selection> selection = selection_of(command.select, command.ignore);
+    if (!selection) {
+        say_error(selection.error());
         return exit_failed;
     }
     std::unique_ptr<FileSink> out = std::make_unique<FileSink>(STDOUT_FILENO, "standard output");
@@ -164,7 +123,7 @@ int run(const CheckCommand& command) {
     });
     parallel_for(side_by_side, decks.size(), [&](std::size_t i) {
         results.wait_for_turn(i);
-        results.add(i, stop ? DeckResult{} : check_one(decks[i], command, selection, within));
+        results.add(i, stop ? DeckResult{} : check_one(decks[i], command, *selection, within));
     });
     writer->end(summary);
     progress.clear();

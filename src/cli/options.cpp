@@ -46,8 +46,9 @@ private:
     Words option_names(const CLI::App& command) const;
 
     CLI::App app_{"Checks drawbeads (/INTER/TYPE8) of Radioss and OpenRadioss starter decks.", "drawbead"};
-    CLI::App *check_, *table_, *info_, *audit_, *rules_, *explain_, *schema_, *completion_;
+    CLI::App *check_, *fix_, *table_, *info_, *audit_, *rules_, *explain_, *schema_, *completion_;
     CheckCommand check_values_;
+    FixCommand fix_values_;
     TableCommand table_values_;
     InfoCommand info_values_;
     AuditCommand audit_values_;
@@ -56,9 +57,9 @@ private:
     SchemaCommand schema_values_;
     CompletionCommand completion_values_;
     std::deque<Choice> choices_;
-    Choice *check_format_, *fail_on_, *colour_, *table_format_, *info_format_, *audit_law_, *audit_format_,
-        *rules_format_;
-    Words select_, ignore_;
+    Choice *check_format_, *fail_on_, *colour_, *fix_format_, *fix_fail_on_, *fix_colour_, *normals_,
+        *table_format_, *info_format_, *audit_law_, *audit_format_, *rules_format_;
+    Words select_, ignore_, fix_select_, fix_ignore_;
     std::string threads_, interface_, tolerance_;
     std::map<const CLI::Option*, Words>
         suggestions_; ///< for completion, of options that take other words too
@@ -70,7 +71,8 @@ Parser::Parser() {
     app_.set_help_flag("-h,--help", "Print this help and leave");
     app_.require_subcommand(1);
     app_.footer("Results go to standard output; errors, the summary and progress to standard error.\n"
-                "Exit status: 0 clean, 1 findings, 2 could not do the work, 3 a bug of drawbead.");
+                "Exit status: 0 clean, 1 findings (of fix: left after it), 2 could not do the work, 3 a bug "
+                "of drawbead.");
 
     check_ = app_.add_subcommand("check", "Check the drawbeads of decks");
     CLI::Option* paths =
@@ -103,6 +105,37 @@ Parser::Parser() {
                       "When to colour text, NO_COLOR and CLICOLOR_FORCE heeded");
     check_->add_flag("-q,--quiet", check_values_.output.quiet, "No summary and no progress");
     reading_options(check_, check_values_.reading);
+
+    fix_ = app_.add_subcommand("fix", "Repair the drawbeads of decks");
+    suggestions_[fix_->add_option("PATH", fix_values_.paths,
+                                  "Decks, folders (all *_0000.rad below), patterns, - for standard input")
+                     ->required()
+                     ->type_name("")] = {};
+    fix_->add_flag("--diff", fix_values_.diff, "Print the changes for 'patch -p1' and write nothing");
+    fix_->add_option("-o,--output", fix_values_.output.file,
+                     "Write the repaired deck to a file; into a folder when includes change too; - for "
+                     "standard output")
+        ->type_name("FILE");
+    fix_->add_flag("--in-place", fix_values_.in_place,
+                   "Replace the files that change, all of a deck or none");
+    fix_->add_flag("--dry-run", fix_values_.dry_run, "Say what would be done and write nothing");
+    suggestions_[fix_->add_option("--select", fix_select_,
+                                  "Rules whose findings are repaired (default: all that can)")
+                     ->type_name("RULE")
+                     ->allow_extra_args(false)] = with_names;
+    suggestions_[fix_->add_option("--ignore", fix_ignore_, "Rules whose findings are left alone")
+                     ->type_name("RULE")
+                     ->allow_extra_args(false)] = with_names;
+    fix_->add_flag("--unsafe", fix_values_.unsafe, "Repairs that change the physics or make a choice, too");
+    normals_ = &choice(fix_, "--normals", {"surfaces", "elements"},
+                       "Turn normals in the surfaces alone, or in the elements");
+    fix_format_ = &choice(fix_, "--format", {"text", "json"}, "How the report is printed");
+    fix_fail_on_ = &choice(fix_, "--fail-on", {"error", "warning", "info", "never"},
+                           "Least severity of what is left that gives exit status 1");
+    fix_colour_ = &choice(fix_, "--color", {"auto", "always", "never"},
+                          "When to colour text, NO_COLOR and CLICOLOR_FORCE heeded");
+    fix_->add_flag("-q,--quiet", fix_values_.output.quiet, "No report");
+    reading_options(fix_, fix_values_.reading);
 
     table_ =
         app_.add_subcommand("table", "Say what every bead node meets: limits, segment, stiffness; and sums");
@@ -153,9 +186,9 @@ Parser::Parser() {
     schema_ = app_.add_subcommand("schema", "Print the JSON Schema of a document");
     suggestions_[schema_
                      ->add_option("NAME", schema_values_.name,
-                                  "report: what check --format json writes; table and audit: what these do")
+                                  "report: what check --format json writes; audit, fix, table: what these do")
                      ->required()
-                     ->type_name("")] = {"report", "table", "audit"};
+                     ->type_name("")] = {"audit", "fix", "report", "table"};
 
     completion_ = app_.add_subcommand("completion", "Print a completion script for a shell");
     suggestions_[completion_->add_option("SHELL", completion_values_.shell, "bash, zsh or fish")
@@ -224,6 +257,20 @@ std::optional<UsageError> Parser::finish() {
     };
     split(select_, check_values_.select);
     split(ignore_, check_values_.ignore);
+    split(fix_select_, fix_values_.select);
+    split(fix_ignore_, fix_values_.ignore);
+    fix_values_.normals = static_cast<FixCommand::Normals>(index(*normals_));
+    fix_values_.json = index(*fix_format_) == 1;
+    fix_values_.fail_on = static_cast<FailOn>(index(*fix_fail_on_));
+    fix_values_.output.colour = static_cast<ColourMode>(index(*fix_colour_));
+    if (const int ways = int{fix_values_.diff} + int{fix_values_.in_place} + int{fix_values_.dry_run} +
+                         int{!fix_values_.output.file.empty()};
+        ways > 1)
+        return UsageError{"--diff, --output, --in-place and --dry-run exclude each other",
+                          "see 'drawbead fix --help'"};
+    if (fix_values_.diff && fix_values_.json)
+        return UsageError{"--diff and --format json both want standard output",
+                          "the JSON report of --dry-run has all edits"};
 
     if (!interface_.empty()) {
         int64_t id = 0;
@@ -250,8 +297,8 @@ std::optional<UsageError> Parser::finish() {
         if (error != std::errc() || stop != end || threads > most)
             return UsageError{"-j needs a number of threads, not '" + threads_ + "'",
                               "please give 0 (all cores) to 1024"};
-        check_values_.reading.threads = table_values_.reading.threads = info_values_.reading.threads =
-            audit_values_.reading.threads = threads;
+        check_values_.reading.threads = fix_values_.reading.threads = table_values_.reading.threads =
+            info_values_.reading.threads = audit_values_.reading.threads = threads;
     }
     return std::nullopt;
 }
@@ -315,6 +362,7 @@ std::variant<Command, UsageError> Parser::parse(int argc, const char* const* arg
     }
     if (std::optional<UsageError> error = finish()) return *error;
     if (check_->parsed()) return Command{check_values_};
+    if (fix_->parsed()) return Command{fix_values_};
     if (table_->parsed()) return Command{table_values_};
     if (info_->parsed()) return Command{info_values_};
     if (audit_->parsed()) return Command{audit_values_};

@@ -37,6 +37,20 @@ struct CheckCommand {
     OutputArguments output;
 };
 
+struct FixCommand {
+    enum class Normals { surfaces, elements };
+
+    std::vector<std::string> paths;
+    std::vector<std::string> select, ignore; ///< single entries, as typed
+    bool diff = false, in_place = false, dry_run = false;
+    bool unsafe = false;
+    Normals normals = Normals::surfaces;
+    bool json = false;
+    FailOn fail_on = FailOn::error;
+    ReadArguments reading;
+    OutputArguments output; ///< file: where the repaired deck goes, or a folder; "-" standard output
+};
+
 enum class TableFormat { text, csv, json };
 
 struct TableCommand {
@@ -85,7 +99,7 @@ struct PrintCommand {
     std::string text;
 };
 
-using Command = std::variant<CheckCommand, TableCommand, InfoCommand, AuditCommand, RulesCommand,
+using Command = std::variant<CheckCommand, FixCommand, TableCommand, InfoCommand, AuditCommand, RulesCommand,
                              ExplainCommand, SchemaCommand, CompletionCommand, PrintCommand>;
 
 /// A command line that cannot be understood.

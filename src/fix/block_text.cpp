@@ -3,6 +3,7 @@
 #include "deck/keyword_line.h"
 
 #include <algorithm>
+#include <charconv>
 
 namespace drawbead {
 
@@ -65,12 +66,15 @@ void BlockWriter::header(std::string_view keyword, int64_t id, std::string_view 
 }
 
 void BlockWriter::ids(std::span<const int64_t> list) {
-    std::string row;
+    const std::size_t width = id_width();
+    text_.reserve(text_.size() + list.size() * (width + 1));
+    char digits[24];
     for (std::size_t i = 0; i < list.size(); ++i) {
-        put_right(row, static_cast<uint32_t>(i % 10) * id_width() + 1, id_width(), std::to_string(list[i]));
-        if (i % 10 != 9 && i + 1 != list.size()) continue;
-        line(row);
-        row.clear();
+        const auto end = std::to_chars(digits, digits + sizeof digits, list[i]).ptr;
+        const auto length = static_cast<std::size_t>(end - digits);
+        text_.append(width - std::min(length, width), ' ');
+        text_.append(digits, length);
+        if (i % 10 == 9 || i + 1 == list.size()) text_ += line_end_;
     }
 }
 

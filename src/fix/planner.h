@@ -18,7 +18,7 @@
 // round; fixes that change the same block are made in later rounds, and rules of a later family wait until
 // those before have nothing left to do (rules/fix.h has the order). After each round the result is read and
 // checked again; a fix whose finding is still there, or that brings a new error, is taken back.
-#include "findings/finding.h"
+#include "findings/fix_report.h"
 #include "fix/block_text.h"
 #include "fix/cell_editor.h"
 #include "fix/free_ids.h"
@@ -42,12 +42,6 @@ enum class NormalsMode : uint8_t {
 struct FixChoices {
     bool unsafe = false;
     NormalsMode normals = NormalsMode::surfaces;
-};
-
-/// What a fix does to one interface.
-struct InterfaceChange {
-    int64_t interface_id = 0;
-    uint64_t segments_turned = 0, nodes_moved = 0;
 };
 
 struct Fix {

@@ -5,9 +5,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <set>
-#include <tuple>
 
 namespace drawbead {
 
@@ -363,11 +361,31 @@ private:
 
 } // namespace
 
-bool InterfaceOutcome::changed() const {
-    if (segments_turned != 0 || nodes_moved != 0 || before.has_value() != after.has_value()) return true;
-    if (!before) return false;
-    return std::tie(before->nodes, before->fn, before->ft, before->slope, before->messages) !=
-           std::tie(after->nodes, after->fn, after->ft, after->slope, after->messages);
+FixReport report_of(const FixOutcome& outcome) {
+    FixReport report;
+    report.path = outcome.before.path;
+    report.failure = outcome.before.failure;
+    report.failure_help = outcome.before.failure_help;
+    report.applied = outcome.applied;
+    report.declined = outcome.declined;
+    report.interfaces = outcome.interfaces;
+    report.force_unit = outcome.force_unit;
+    for (const FixedFile& file : outcome.files) {
+        FileChange change{file.path, {}};
+        const SourceFile& source = outcome.original->deck->file(file.edits.front().at.file);
+        uint64_t line = 1, counted = 0;
+        for (const Edit& e : file.edits) {
+            line += count_newlines(file.original.substr(counted, e.at.begin - counted));
+            counted = e.at.begin;
+            const auto column = static_cast<uint32_t>(e.at.begin - source.line_begin(e.at.begin)) + 1;
+            change.edits.push_back({e.at.begin, e.at.size(), line, column, e.text});
+        }
+        report.files.push_back(std::move(change));
+    }
+    std::vector<DeckResult> one;
+    one.push_back(outcome.after);
+    report.remaining = summarise(one);
+    return report;
 }
 
 FixOutcome run_fixes(const std::string& path, FileReader& disk, const ReadOptions& reading,

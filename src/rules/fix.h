@@ -9,6 +9,7 @@
 // reported. The rounds end when nothing is left to do; their edits are composed and refer to the files as
 // they were.
 #include "base/buffer.h"
+#include "findings/fix_report.h"
 #include "rules/check.h"
 
 #include <map>
@@ -20,42 +21,6 @@ struct FixOptions {
     FixChoices choices;
     unsigned threads = 1;
     unsigned most_rounds = 24;
-};
-
-/// One repair that was made.
-struct AppliedFix {
-    std::string code, name, title;
-    bool safe = true;
-    std::optional<InterfaceId> interface_id;
-    ResolvedPlace place; ///< of the finding, in the text of its round
-    std::string message; ///< what the finding said
-    std::vector<InterfaceChange> changes;
-};
-
-/// A finding of a rule with a fix that was not repaired.
-struct DeclinedFix {
-    std::string code, name, title; ///< title: when a fix was tried
-    std::optional<InterfaceId> interface_id;
-    ResolvedPlace place;
-    std::string why;
-    bool needs_unsafe = false; ///< --unsafe would make it
-};
-
-/// One interface before and after.
-struct InterfaceOutcome {
-    struct State {
-        uint64_t nodes = 0;
-        double fn = 0, ft = 0;     ///< sum of limit times tributary length: force
-        std::string slope;         ///< with its unit; empty when not known
-        std::vector<int> messages; ///< what the Starter says, ascending
-    };
-    InterfaceId id = 0;
-    std::string title;
-    uint64_t segments_turned = 0, nodes_moved = 0;
-    std::optional<State> before; ///< empty: a new interface
-    std::optional<State> after;  ///< empty: it is gone
-
-    bool changed() const;
 };
 
 /// A file that changed.
@@ -80,6 +45,9 @@ struct FixOutcome {
 
     bool changed() const { return !files.empty(); }
 };
+
+/// What the outcome says, with the edits as lines and columns of the original files.
+FixReport report_of(const FixOutcome&);
 
 FixOutcome run_fixes(const std::string& path, FileReader&, const ReadOptions&, const FixOptions&);
 

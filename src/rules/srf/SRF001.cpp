@@ -1,4 +1,5 @@
 #include "rules/lin/bead_report.h"
+#include "rules/srf/surface_fix.h"
 #include "rules/support.h"
 #include "rules/text.h"
 
@@ -56,6 +57,10 @@ std::string consequence(const RuleContext& context, const BeadAnalysis& a, bool 
            number(total != 0 ? 100 * cost / total : 0, 3) + " % of its total";
 }
 
+void offer(const Surface& surface, std::string title, Draft& draft) {
+    if (offers_surface_fix(surface)) draft.fixes.push_back({std::move(title), FixAvailability::safe});
+}
+
 void check(const RuleContext& context, FindingSink& sink) {
     constexpr std::size_t most_places = 100;
     for (const BeadAnalysis* a : beads_with_nodes(context)) {
@@ -66,6 +71,7 @@ void check(const RuleContext& context, FindingSink& sink) {
 
         Draft draft;
         draft.interface_id = a->bead->id;
+        draft.surface_id = surface.id;
         double fn = 0, ft = 0;
         for (std::size_t i = 0; i < a->hit.size(); ++i) {
             if (a->side.node[i] != Facing::away) continue;
@@ -108,17 +114,17 @@ void check(const RuleContext& context, FindingSink& sink) {
                 "stands over, or move the bead";
         } else if (!surface.lines.empty()) {
             draft.help = "write the nodes of these segments in reverse order (4321)";
-            draft.fixes.push_back({"turn these segment lines", FixAvailability::safe});
+            offer(surface, "turn these segment lines", draft);
         } else if (away.size() == a->side.zone.size()) {
             draft.help =
                 "give the id of the part or group in the surface the other sign, or let the bead use a "
                 "surface of its own that is reversed";
-            draft.fixes.push_back({"reversed sign in the surface", FixAvailability::safe});
+            offer(surface, "reversed sign in the surface", draft);
         } else {
             draft.help =
                 "put these elements into a group of their own and name it with a minus sign in a surface "
                 "of groups";
-            draft.fixes.push_back({"signed groups in a surface of its own", FixAvailability::safe});
+            offer(surface, "signed groups in a surface of its own", draft);
         }
         sink.add(std::move(draft));
     }
@@ -133,6 +139,8 @@ extern const Rule SRF001{{.code = "SRF001",
                           .fix = FixAvailability::sometimes_safe,
                           .starter_message = 346},
                          needs_sides,
-                         check};
+                         check,
+                         surface_fix_needs,
+                         fix_surface};
 
 } // namespace drawbead

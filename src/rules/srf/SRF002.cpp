@@ -1,4 +1,5 @@
 #include "rules/lin/bead_report.h"
+#include "rules/srf/surface_fix.h"
 #include "rules/support.h"
 #include "rules/text.h"
 
@@ -34,9 +35,11 @@ void check(const RuleContext& context, FindingSink& sink) {
         const Surface& surface = context.model.surfaces()[s];
         double fn = 0, fn_total = 0;
         std::vector<int64_t> users;
+        bool side_known = false;
         for (const BeadAnalysis* a : beads_with_nodes(context)) {
             if (a->surface != &surface) continue;
             users.push_back(a->bead->id);
+            side_known = side_known || a->side.count(Facing::unknown) < a->side.zone.size();
             for (std::size_t i = 0; i < a->x.size(); ++i) {
                 fn_total += a->fn_force(i);
                 if (i < a->side.node.size() && a->side.node[i] == Facing::away) fn += a->fn_force(i);
@@ -46,6 +49,7 @@ void check(const RuleContext& context, FindingSink& sink) {
 
         Draft draft;
         if (users.size() == 1) draft.interface_id = users.front();
+        draft.surface_id = surface.id;
         draft.discriminator = "surface " + std::to_string(surface.id);
         const auto segments = clashing_segments(clashes);
         draft.primary = segment_place(context, surface, segments.front().second);
@@ -71,9 +75,10 @@ void check(const RuleContext& context, FindingSink& sink) {
         draft.measured.push_back({"segments", static_cast<double>(clashes.segments), ""});
         draft.measured.push_back({"normal force on the wrong side", fn, unit_name(units, force_dimension)});
         draft.help = "turn the segments on one side of these edges so that all face the bead";
-        draft.fixes.push_back({surface.lines.empty() ? "signed groups in a surface of its own"
-                                                     : "turn the segment lines that face away",
-                               FixAvailability::safe});
+        if (side_known && offers_surface_fix(surface))
+            draft.fixes.push_back({surface.lines.empty() ? "signed groups in a surface of its own"
+                                                         : "turn the segment lines that face away",
+                                   FixAvailability::safe});
         sink.add(std::move(draft));
     }
 }
@@ -86,6 +91,8 @@ extern const Rule SRF002{{.code = "SRF002",
                           .severity = Severity::error,
                           .fix = FixAvailability::sometimes_safe},
                          needs_clashes | needs_sides,
-                         check};
+                         check,
+                         surface_fix_needs,
+                         fix_surface};
 
 } // namespace drawbead

@@ -1,4 +1,5 @@
 #include "rules/lin/bead_report.h"
+#include "rules/srf/surface_fix.h"
 #include "rules/support.h"
 #include "rules/text.h"
 
@@ -49,6 +50,7 @@ void check(const RuleContext& context, FindingSink& sink) {
                 total += std::abs(b.bead->fn_total);
             }
         Draft draft = draft_at(context, *first.bead->bead, cells_of(*first.bead->bead).surface);
+        draft.surface_id = surface.id;
         draft.discriminator = "surface " + std::to_string(surface.id);
         draft.message = "surface " + std::to_string(surface.id) +
                         " serves beads on both of its sides: it faces bead " + listed(good) +
@@ -59,7 +61,8 @@ void check(const RuleContext& context, FindingSink& sink) {
         draft.measured.push_back(
             {"normal force on the wrong side", fn, unit_name(context.deck.work_units(), force_dimension)});
         draft.help = "let bead " + listed(bad) + " use a second surface of the same elements, reversed";
-        draft.fixes.push_back({"a second, reversed surface", FixAvailability::safe});
+        if (offers_surface_fix(surface))
+            draft.fixes.push_back({"a second, reversed surface", FixAvailability::safe});
         sink.add(std::move(draft));
     }
 }
@@ -72,6 +75,8 @@ extern const Rule SRF003{{.code = "SRF003",
                           .severity = Severity::error,
                           .fix = FixAvailability::safe},
                          needs_sides,
-                         check};
+                         check,
+                         surface_fix_needs,
+                         fix_surface};
 
 } // namespace drawbead

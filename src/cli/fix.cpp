@@ -1,0 +1,184 @@
+#include "rules/fix.h"
+
+#include "cli/commands.h"
+#include "cli/paths.h"
+#include "cli/reading.h"
+#include "cli/selection.h"
+#include "fix/write_files.h"
+#include "report/fix_report.h"
+
+#include <filesystem>
+#include <new>
+#include <unistd.h>
+
+namespace drawbead {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// How a diff names a file: from the current folder where the file is in it, else without its first slash.
+std::string name_in_diff(const std::string& path) {
+    std::error_code failure;
+    const fs::path normal = fs::path(path).lexically_normal();
+    if (normal.is_relative()) return normal.string();
+    const std::string from_here = normal.lexically_relative(fs::current_path(failure)).string();
+    if (!failure && !from_here.empty() && from_here.substr(0, 2) != "..") return from_here;
+    return normal.relative_path().string();
+}
+
+std::string_view main_text(const FixOutcome& outcome) {
+    return outcome.result->deck->files().front()->bytes();
+}
+
+/// Where each file of the deck goes in a folder: as it stands below the folder of the main file.
+Result<std::vector<std::pair<const SourceFile*, std::string>>> places_in(const fs::path& folder,
+                                                                         const Deck& deck) {
+    std::vector<std::pair<const SourceFile*, std::string>> places;
+    const fs::path base = fs::path(deck.path()).parent_path();
+    for (const auto& file : deck.files()) {
+        const fs::path below = fs::path(file->path()).lexically_relative(base.empty() ? "." : base);
+        if (below.empty() || below.is_absolute() || *below.begin() == "..")
+            return Error{"the include '" + file->path() + "' is not below the folder of the deck",
+                         deck.path(), 0, 0, "use --in-place or --diff"};
+        places.emplace_back(file.get(), (folder / below).string());
+    }
+    return places;
+}
+
+Result<void> write_to(const std::string& target, const FixOutcome& outcome, FixReport& report) {
+    std::error_code failure;
+    const Deck& deck = *outcome.result->deck;
+    if (target.back() != '/' && !fs::is_directory(target, failure)) {
+        const FixedFile& first = outcome.files.front();
+        if (outcome.files.size() > 1 || first.path != deck.files().front()->path())
+            return Error{"the repair changes included files, too", first.path, 0, 0,
+                         "give -o a folder, or use --in-place or --diff"};
+        if (auto written = write_file(target, main_text(outcome), deck.path()); !written) return written;
+        report.written.push_back(target);
+        return {};
+    }
+    const auto places = places_in(target, deck);
+    if (!places) return places.error();
+    for (const auto& [file, path] : *places) {
+        fs::create_directories(fs::path(path).parent_path(), failure);
+        if (auto written = write_file(path, file->bytes(), file->path()); !written) return written;
+        report.written.push_back(path);
+    }
+    return {};
+}
+
+Result<void> write_in_place(const FixOutcome& outcome, FileReader& reader, FixReport& report) {
+    std::vector<FileToWrite> files;
+    for (const FixedFile& file : outcome.files)
+        files.push_back({file.path, file.original, file.text});
+    auto written =
+        replace_files(files, [&](const std::string& path) { return reader.changed_since_read(path); });
+    if (!written) return written;
+    for (const FileToWrite& file : files)
+        report.written.push_back(file.path);
+    return {};
+}
+
+FixReport failed_report(const std::string& path, const std::string& failure, const std::string& help) {
+    FixReport report;
+    report.path = path;
+    report.failure = failure;
+    report.failure_help = help;
+    return report;
+}
+
+/// Repairs one deck and puts the result where the command says.
+FixReport fix_one(const DeckPath& deck, const FixCommand& command, const FixOptions& options,
+                  OutputSink& out) {
+    if (deck.failed()) return failed_report(deck.path, deck.failure, deck.help);
+    if (deck.path == "-" && command.in_place)
+        return failed_report(deck.path, "standard input cannot be repaired in place", "use -o");
+    const Result<DeckSource> source = deck_source(deck.path, command.reading);
+    if (!source) return failed_report(deck.path, source.error().message, source.error().help);
+    const ReadOptions reading = read_options(command.reading, options.threads);
+    const FixOutcome outcome = run_fixes(source->name, *source->reader, reading, options);
+    if (outcome.before.failed()) {
+        say_failure(outcome.before);
+        return report_of(outcome);
+    }
+    FixReport report = report_of(outcome);
+    Result<void> written;
+    if (command.diff) {
+        for (const FixedFile& file : outcome.files)
+            out.write(unified_diff(name_in_diff(file.path), file.original, file.edits));
+    } else if (command.output.file == "-") {
+        if (outcome.files.size() > 1 ||
+            (outcome.changed() &&
+             outcome.files.front().path != outcome.result->deck->files().front()->path()))
+            written = Error{"the repair changes included files, too", source->name, 0, 0,
+                            "give -o a folder, or use --in-place or --diff"};
+        else
+            out.write(main_text(outcome));
+    } else if (outcome.changed() && command.in_place) {
+        written = write_in_place(outcome, *source->reader, report);
+    } else if (outcome.changed() && !command.output.file.empty()) {
+        written = write_to(command.output.file, outcome, report);
+    }
+    if (!written) {
+        say_error(written.error());
+        report.failure = written.error().message;
+        report.failure_help = written.error().help;
+    }
+    return report;
+}
+
+} // namespace
+
+int run(const FixCommand& command) {
+    const Result<Selection> selection = selection_of(command.select, command.ignore);
+    if (!selection) {
+        say_error(selection.error());
+        return exit_failed;
+    }
+    const std::vector<DeckPath> decks = find_decks(command.paths);
+    if (decks.size() != 1 && !command.output.file.empty()) {
+        say_error({"-o takes the repair of one deck, and there are " + std::to_string(decks.size()), "", 0, 0,
+                   "use --in-place or --diff"});
+        return exit_failed;
+    }
+    FixOptions options;
+    options.selection = *selection;
+    options.choices.unsafe = command.unsafe;
+    options.choices.normals =
+        command.normals == FixCommand::Normals::elements ? NormalsMode::elements : NormalsMode::surfaces;
+    options.threads = thread_count(command.reading);
+
+    // The report gives way where standard output carries a diff or a deck.
+    FileSink out(STDOUT_FILENO, "standard output");
+    const bool aside = command.diff || command.output.file == "-";
+    FileSink errors(STDERR_FILENO, "standard error");
+    OutputSink& report_sink = aside ? static_cast<OutputSink&>(errors) : out;
+    const bool colour = wants_colour(command.output.colour, aside ? STDERR_FILENO : STDOUT_FILENO);
+
+    Summary left;
+    bool failed = false;
+    std::vector<FixReport> reports;
+    for (const DeckPath& deck : decks) {
+        FixReport report;
+        try {
+            report = fix_one(deck, command, options, out);
+        } catch (const std::bad_alloc&) {
+            report = failed_report(deck.path, "out of memory", "");
+        }
+        if (report.failed() && report.applied.empty() && (deck.failed() || deck.path == "-"))
+            say_error({report.failure, report.path, 0, 0, report.failure_help});
+        failed = failed || report.failed();
+        add(left, report.remaining);
+        if (!command.json && !command.output.quiet && !report.failed())
+            write_fix_text(report_sink, report, colour);
+        if (command.json) reports.push_back(std::move(report));
+    }
+    if (command.json) write_fix_json(report_sink, reports, tool_version());
+    errors.flush();
+    if (const int status = finish(out); status != exit_clean) return status;
+    if (failed) return exit_failed;
+    return fails(left, command.fail_on) ? exit_findings : exit_clean;
+}
+
+} // namespace drawbead

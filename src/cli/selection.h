@@ -1,0 +1,21 @@
+#pragma once
+// Which rules a command line means, and what counts as a failure.
+#include "base/result.h"
+#include "cli/options.h"
+#include "findings/report.h"
+#include "rules/check.h"
+
+#include <string>
+#include <vector>
+
+namespace drawbead {
+
+/// Codes and families may be typed in any letter case; an error when a word names nothing.
+Result<Selection> selection_of(const std::vector<std::string>& select,
+                               const std::vector<std::string>& ignore);
+
+void add(Summary& total, const Summary& part);
+/// Whether something is as severe as the user wants to hear of by the exit status.
+bool fails(const Summary&, FailOn);
+
+} // namespace drawbead
