@@ -100,9 +100,10 @@ FixReport fix_one(const DeckPath& deck, const FixCommand& command, const FixOpti
     const FixOutcome outcome = run_fixes(source->name, *source->reader, reading, options);
     if (outcome.before.failed()) {
         say_failure(outcome.before);
-        return report_of(outcome);
+        return report_of(outcome, command.json);
     }
-    FixReport report = report_of(outcome);
+    FixReport report = report_of(outcome, command.json);
+    report.proposed = !command.in_place && command.output.file.empty();
     Result<void> written;
     if (command.diff) {
         for (const FixedFile& file : outcome.files)

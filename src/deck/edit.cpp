@@ -1,5 +1,7 @@
 #include "deck/edit.h"
 
+#include "base/parallel.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cstring>
@@ -221,12 +223,21 @@ uint64_t edited_size(std::string_view bytes, const EditList& edits) {
     return size;
 }
 
-void write_edited(std::string_view bytes, const EditList& edits, char* out) {
+void write_edited(std::string_view bytes, const EditList& edits, char* out, unsigned threads) {
     assert(in_order(edits));
-    uint64_t at = 0;
+    struct Copy {
+        const char* from;
+        uint64_t to, size;
+    };
+    constexpr uint64_t most = uint64_t{4} << 20;
+    std::vector<Copy> copies;
+    uint64_t at = 0, to = 0;
     const auto put = [&](std::string_view text) {
-        if (!text.empty()) std::memcpy(out, text.data(), text.size());
-        out += text.size();
+        for (uint64_t done = 0; done < text.size(); done += most) {
+            const uint64_t size = std::min<uint64_t>(most, text.size() - done);
+            copies.push_back({text.data() + done, to, size});
+            to += size;
+        }
     };
     for (const Edit& e : edits) {
         put(bytes.substr(at, e.at.begin - at));
@@ -234,6 +245,19 @@ void write_edited(std::string_view bytes, const EditList& edits, char* out) {
         at = e.at.end;
     }
     put(bytes.substr(at));
+    // Pieces of about one size, whatever the edits are.
+    std::vector<std::size_t> begin{0};
+    uint64_t size = 0;
+    for (std::size_t i = 0; i < copies.size(); ++i) {
+        size += copies[i].size;
+        if (size < most && i + 1 != copies.size()) continue;
+        begin.push_back(i + 1);
+        size = 0;
+    }
+    parallel_for(threads, begin.size() - 1, [&](std::size_t piece) {
+        for (std::size_t i = begin[piece]; i < begin[piece + 1]; ++i)
+            std::memcpy(out + copies[i].to, copies[i].from, copies[i].size);
+    });
 }
 
 std::string edited(std::string_view bytes, const EditList& edits) {

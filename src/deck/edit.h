@@ -34,8 +34,8 @@ EditList of_file(const EditList&, FileId);
 std::string edited(std::string_view bytes, const EditList& edits);
 /// Length of that.
 uint64_t edited_size(std::string_view bytes, const EditList& edits);
-/// The same into memory of edited_size() bytes.
-void write_edited(std::string_view bytes, const EditList& edits, char* out);
+/// The same into memory of edited_size() bytes, on several threads.
+void write_edited(std::string_view bytes, const EditList& edits, char* out, unsigned threads = 1);
 
 /// One list for two rounds: `second` refers to the text that `first` made, the result to the original text
 /// of `first`. Both in order, files as in `first`.

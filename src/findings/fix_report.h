@@ -72,6 +72,7 @@ struct FixReport {
     std::vector<InterfaceOutcome> interfaces; ///< that changed, in deck order, new ones last
     std::vector<FileChange> files;
     std::vector<std::string> written; ///< paths
+    bool proposed = false;            ///< nothing was to be written
     Summary remaining;                ///< findings after the repairs
     std::string force_unit;
 

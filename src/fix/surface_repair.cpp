@@ -174,7 +174,7 @@ private:
             if (t.all && !any_triangle()) return turn_signs([](const SurfaceSource&) { return true; });
             return false;
         }
-        if (!is_element_list(surface_)) return false;
+        if (!is_element_list(surface_) || (surface_.sources.size() == 1 && !t.all_elements)) return false;
         if (t.all_elements) return turn_signs([](const SurfaceSource&) { return true; });
         if (list_kind(surface_) == "PART") return turn_parts(t);
         if (list_kind(surface_).substr(0, 2) == "GR") return turn_groups(t);
@@ -375,7 +375,7 @@ private:
             std::vector<int64_t> ids;
             for (std::vector<int64_t>* list : {&lists.plus, &lists.minus}) {
                 if (list->empty()) continue;
-                std::sort(list->begin(), list->end());
+                if (!std::is_sorted(list->begin(), list->end())) std::sort(list->begin(), list->end());
                 if (std::adjacent_find(list->begin(), list->end()) != list->end())
                     return planner_.cells().fail("the surface holds an element twice");
                 const bool minus = list == &lists.minus;

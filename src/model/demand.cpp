@@ -87,6 +87,13 @@ void Demand::add_referenced(const Member& member, bool solids) {
                                                                       : Family::brick_group;
         const auto group = index_.find(family, member.first);
         if (!group || !seen_.emplace(*group, true).second) return;
+        // A list of elements can be long, and what it holds makes no difference here.
+        const std::string_view type = subtype(deck_.blocks()[*group].keyword);
+        if (type == "SHEL" || type == "SH3N" || type == "TRIA" || type == "BRIC") {
+            all_ = ids_ = true;
+            solids_ |= family == Family::brick_group;
+            return;
+        }
         add_members(read_membership(deck_, *group, unreported_), family == Family::brick_group);
         return;
     }

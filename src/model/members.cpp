@@ -58,11 +58,12 @@ Member reference(MemberKind kind, const WrittenId& written, int64_t offset) {
 void read_references(const Deck& deck, const Block& block, MemberKind kind, IssueLog& issues,
                      std::vector<Member>& members) {
     const int64_t offset = offset_of(deck.scope(block.scope), kind);
-    for_each_id(deck, block.scope, list_text(deck, block), issues,
-                [&](const WrittenId* ids, std::size_t count) {
-                    for (std::size_t i = 0; i < count; ++i)
-                        if (ids[i].id != 0) members.push_back(reference(kind, ids[i], offset));
-                });
+    const Span text = list_text(deck, block);
+    members.reserve(text.size() / 10 + 1); // what full lines of plain cells hold
+    for_each_id(deck, block.scope, text, issues, [&](const WrittenId* ids, std::size_t count) {
+        for (std::size_t i = 0; i < count; ++i)
+            if (ids[i].id != 0) members.push_back(reference(kind, ids[i], offset));
+    });
 }
 
 /// GENE: pairs first, last; GEN_INCR: one triple first, last, increment per line.

@@ -146,7 +146,9 @@ Resolver::Signed Resolver::signed_elements(const Membership& membership, bool& s
         Runs& runs = member.minus ? minus : plus;
         const auto single = [&](const IdMap& map, std::vector<RowRun>& into) {
             const uint32_t row = map.row(static_cast<uint32_t>(member.first));
-            if (row != IdMap::none)
+            if (row != IdMap::none && !into.empty() && into.back().end == row)
+                ++into.back().end;
+            else if (row != IdMap::none)
                 into.push_back({row, row + 1});
             else
                 report(ReadIssue::Kind::member_missing, member.place, std::to_string(member.first));

@@ -177,7 +177,9 @@ void write_fix_text(OutputSink& out, const FixReport& report, bool colour) {
         out.write(text + " " + code + " " + name + ": " + terminal_safe(rest) + "\n");
     };
     for (const AppliedFix& fix : report.applied)
-        line(fix.place, palette.cyan, fix.safe ? "fixed:" : "fixed (unsafe):", fix.code, fix.name, fix.title);
+        line(fix.place, palette.cyan,
+             std::string(report.proposed ? "would fix" : "fixed") + (fix.safe ? ":" : " (unsafe):"), fix.code,
+             fix.name, fix.title);
     for (const DeclinedFix& fix : report.declined)
         line(fix.place, palette.yellow, "not fixed:", fix.code, fix.name, fix.why);
     for (const InterfaceOutcome& one : report.interfaces)
@@ -187,6 +189,7 @@ void write_fix_text(OutputSink& out, const FixReport& report, bool colour) {
         text += "nothing repaired";
     else
         text += how_many(report.applied.size(), "repair") + " in " + how_many(report.files.size(), "file");
+    if (report.proposed && !report.applied.empty()) text += ", nothing written";
     if (!report.written.empty()) {
         text += ", written:";
         for (const std::string& path : report.written)

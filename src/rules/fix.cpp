@@ -41,7 +41,7 @@ class EditedReader final : public FileReader {
 public:
     using Text = std::shared_ptr<const Buffer<char>>;
 
-    EditedReader(FileReader& disk, const Deck& deck, const EditList& edits) : disk_(disk) {
+    EditedReader(FileReader& disk, const Deck& deck, const EditList& edits, unsigned threads) : disk_(disk) {
         for (const auto& file : deck.files()) {
             const auto id = FileId{static_cast<uint32_t>(texts_.size())};
             const EditList mine = of_file(edits, id);
@@ -49,7 +49,7 @@ public:
             std::string_view bytes = file->bytes();
             if (!mine.empty()) {
                 auto made = std::make_shared<Buffer<char>>(edited_size(bytes, mine));
-                write_edited(bytes, mine, made->data());
+                write_edited(bytes, mine, made->data(), threads);
                 bytes = {made->data(), made->size()};
                 text = std::move(made);
             }
@@ -147,6 +147,13 @@ private:
                                     std::vector<DeclinedFix>& declined) {
         std::vector<Planned> plan;
         declined.clear();
+        std::vector<const RuleDraft*> drafts;
+        for (const RuleDraft& one : checked.drafts)
+            if (one.rule->fix && options_.selection(one.rule->info)) drafts.push_back(&one);
+        if (drafts.empty()) return plan;
+        std::stable_sort(drafts.begin(), drafts.end(), [](const RuleDraft* a, const RuleDraft* b) {
+            return stage_of(a->rule->info) < stage_of(b->rule->info);
+        });
         IssueLog unreported;
         const OptionIndex index(*checked.deck, unreported);
         FreeIds ids(*checked.deck, index, checked.model);
@@ -154,12 +161,6 @@ private:
         std::set<const Block*> claimed;
         EditList accepted;
 
-        std::vector<const RuleDraft*> drafts;
-        for (const RuleDraft& one : checked.drafts)
-            if (one.rule->fix && options_.selection(one.rule->info)) drafts.push_back(&one);
-        std::stable_sort(drafts.begin(), drafts.end(), [](const RuleDraft* a, const RuleDraft* b) {
-            return stage_of(a->rule->info) < stage_of(b->rule->info);
-        });
         std::size_t stage = family_order.size();
         for (const RuleDraft* one : drafts) {
             if (!plan.empty() && (alone || stage_of(one->rule->info) != stage)) break;
@@ -222,7 +223,7 @@ private:
     std::string try_round(const State& state, const std::vector<Planned>& plan, const EditList& edits,
                           State& next) {
         const CheckedDeck& before = *state.checked;
-        EditedReader reader(disk_, *before.deck, edits);
+        EditedReader reader(disk_, *before.deck, edits, options_.threads);
         auto read = read_and_check(path_, reader, reading_, rules_, needs_, options_.threads);
         if (!read) return "the result could not be read: " + read.error().message;
         const CheckedDeck& after = **read;
@@ -361,7 +362,7 @@ private:
 
 } // namespace
 
-FixReport report_of(const FixOutcome& outcome) {
+FixReport report_of(const FixOutcome& outcome, bool with_edits) {
     FixReport report;
     report.path = outcome.before.path;
     report.failure = outcome.before.failure;
@@ -372,6 +373,10 @@ FixReport report_of(const FixOutcome& outcome) {
     report.force_unit = outcome.force_unit;
     for (const FixedFile& file : outcome.files) {
         FileChange change{file.path, {}};
+        if (!with_edits) {
+            report.files.push_back(std::move(change));
+            continue;
+        }
         const SourceFile& source = outcome.original->deck->file(file.edits.front().at.file);
         uint64_t line = 1, counted = 0;
         for (const Edit& e : file.edits) {

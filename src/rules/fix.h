@@ -46,8 +46,8 @@ struct FixOutcome {
     bool changed() const { return !files.empty(); }
 };
 
-/// What the outcome says, with the edits as lines and columns of the original files.
-FixReport report_of(const FixOutcome&);
+/// What the outcome says; `with_edits`: all of them, with lines and columns of the original files.
+FixReport report_of(const FixOutcome&, bool with_edits);
 
 FixOutcome run_fixes(const std::string& path, FileReader&, const ReadOptions&, const FixOptions&);
 
