@@ -10,6 +10,7 @@
 #include <array>
 #include <map>
 #include <utility>
+#include <vector>
 
 namespace drawbead {
 
@@ -30,62 +31,60 @@ bool is_element_list(const Surface& surface) {
     return std::find(std::begin(kinds), std::end(kinds), list_kind(surface)) != std::end(kinds);
 }
 
-/// Reverses the order of nodes on a line of cells: id, then `nodes` node ids. The text of the cells is moved
-/// as it is. A triangle keeps the form in which its third node is written.
-void turn_line(const Deck& deck, ScopeId scope, const Span& line, std::size_t nodes, CellEditor& cells) {
+/// Lines of segments are turned 4321, as the Starter does with the faces of solids; elements keep their first
+/// node (1432), at which their own axes begin.
+enum class TurnedLine { segment, element };
+
+/// Which old cell comes to each place. `nodes`: 3 without a fourth node; `repeated`: the fourth is the third.
+std::vector<std::size_t> turned_order(TurnedLine what, std::size_t nodes, bool repeated) {
+    const bool segment = what == TurnedLine::segment;
+    if (nodes == 3) return segment ? std::vector<std::size_t>{2, 1, 0} : std::vector<std::size_t>{0, 2, 1};
+    if (repeated)
+        return segment ? std::vector<std::size_t>{2, 1, 0, 0} : std::vector<std::size_t>{0, 2, 1, 1};
+    return segment ? std::vector<std::size_t>{3, 2, 1, 0} : std::vector<std::size_t>{0, 3, 2, 1};
+}
+
+/// Turns a line of cells: id, then up to `most` node ids. The text of the cells is moved as it is, and a
+/// triangle keeps the form in which its third node is written.
+void turn_line(const Deck& deck, ScopeId scope, const Span& line, std::size_t most, TurnedLine what,
+               CellEditor& cells) {
     const std::string_view text = deck.text(line);
+    constexpr const char* too_few = "a line of segments has fewer than three nodes";
     if (text.find(',') != std::string_view::npos) {
         const Card card = read_card(deck, scope, line, segment_card);
         std::vector<Cell> node;
         for (const Cell& cell : card.cells)
             if (cell.state != CellState::absent) node.push_back(cell);
         node.erase(node.begin());
+        node.resize(std::min(node.size(), most));
         while (!node.empty() && (!node.back().given() || node.back().integer == 0))
             node.pop_back();
-        node.resize(std::min(node.size(), nodes));
-        if (node.size() < 3) return cells.fail("a line of segments has fewer than three nodes");
-        const bool triangle = node.size() == 3 || node[3].text == node[2].text;
-        cells.replace(node[0].place, std::string(node[triangle ? 2 : 3].text));
-        if (triangle) {
-            for (std::size_t i = 2; i < node.size(); ++i)
-                cells.replace(node[i].place, std::string(node[0].text));
-        } else {
-            cells.replace(node[1].place, std::string(node[2].text));
-            cells.replace(node[2].place, std::string(node[1].text));
-            cells.replace(node[3].place, std::string(node[0].text));
-        }
+        if (node.size() < 3) return cells.fail(too_few);
+        const auto order = turned_order(what, node.size(), node.size() == 4 && node[3].text == node[2].text);
+        for (std::size_t i = 0; i < node.size(); ++i)
+            if (order[i] != i) cells.replace(node[i].place, std::string(node[order[i]].text));
         return;
     }
     const std::size_t width = deck.scope(scope).layout < 45 ? 8 : 10;
     std::array<std::string, 4> cell;
     std::size_t end = width;
-    for (std::size_t i = 0; i < nodes; ++i) {
+    for (std::size_t i = 0; i < most; ++i) {
         const std::size_t begin = width * (i + 1);
         if (begin >= text.size()) break;
         cell[i] = text.substr(begin, width);
         end = begin + cell[i].size();
         cell[i].resize(width, ' ');
     }
-    const auto value = [](const std::string& c) { return trim(c); };
-    if (value(cell[2]).empty()) return cells.fail("a line of segments has fewer than three nodes");
-    const std::string_view fourth = value(cell[3]);
-    if (fourth.empty() || fourth == "0") {
-        std::swap(cell[0], cell[2]);
-    } else if (fourth == value(cell[2])) {
-        std::swap(cell[0], cell[2]);
-        cell[3] = cell[2];
-    } else {
-        std::swap(cell[0], cell[3]);
-        std::swap(cell[1], cell[2]);
-    }
+    if (trim(cell[2]).empty()) return cells.fail(too_few);
+    const std::string_view fourth = trim(cell[3]);
+    const auto order = turned_order(what, fourth.empty() || fourth == "0" ? 3 : 4, fourth == trim(cell[2]));
     std::string now;
-    for (std::size_t i = 0; i < nodes; ++i)
-        now += cell[i];
+    for (const std::size_t from : order)
+        now += cell[from];
+    if (order.size() == 3) now += cell[3];
+    // A line that ends inside its last cell ends there again, unless a node stands behind.
     const std::size_t length = end - width;
-    if (now.size() > length) {
-        // The line ended inside its last cell: only blanks may be left out.
-        now.erase(std::max(length, now.find_last_not_of(' ') + 1));
-    }
+    if (now.size() > length) now.erase(std::max(length, now.find_last_not_of(' ') + 1));
     cells.replace({line.file, line.begin + width, line.begin + end}, std::move(now));
 }
 
@@ -185,7 +184,8 @@ private:
         if (!lines_are_free()) return false;
         for (std::size_t s = 0; s < surface_.lines.size(); ++s)
             if (t.segment[s])
-                turn_line(deck_, scope_of_line(surface_.lines[s]), surface_.lines[s], 4, planner_.cells());
+                turn_line(deck_, scope_of_line(surface_.lines[s]), surface_.lines[s], 4, TurnedLine::segment,
+                          planner_.cells());
         fix_.title = "these segment lines turned (4321)";
         return true;
     }
@@ -292,7 +292,7 @@ private:
                 return planner_.cells().fail("some of the segments are no shells");
             const bool quad = segment.kind == ElementKind::shell4;
             const Span line = (quad ? quads : triangles).line(segment.element);
-            turn_line(deck_, scope_of_line(line), line, quad ? 4 : 3, planner_.cells());
+            turn_line(deck_, scope_of_line(line), line, quad ? 4 : 3, TurnedLine::element, planner_.cells());
         }
         fix_.title = "nodes of elements in reverse order";
         if (planner_.choices().normals != NormalsMode::elements) fix_.applicability = FixAvailability::unsafe;

@@ -39,6 +39,12 @@ struct CheckedDeck {
     std::vector<RuleDraft> drafts; ///< by rule, in the order of the registry
 
     RuleContext context() const { return {*deck, model, analysis}; }
+    /// Gives the memory of everything but the deck's text back.
+    void forget() {
+        drafts.clear();
+        analysis = {};
+        model = {};
+    }
 };
 
 /// Runs the rules over a deck that can be read. `more`: needs beyond those of the rules.

@@ -77,17 +77,116 @@ private:
 
 /// A fix that was planned for one draft.
 struct Planned {
-    const RuleDraft* finding = nullptr;
     Subject subject;
-    Fix fix;
+    AppliedFix fix;
     EditList edits;
 };
 
 /// The deck at the end of a round.
 struct State {
-    std::shared_ptr<const CheckedDeck> checked;
+    std::shared_ptr<CheckedDeck> checked;
     std::vector<EditedReader::Text> texts; ///< what its files live in; empty: as on the disk
     EditList edits;                        ///< of the files as they were at first
+};
+
+/// The errors of a deck, to be compared with those of another one.
+class Errors {
+public:
+    explicit Errors(const CheckedDeck& checked) {
+        for (const RuleDraft& one : checked.drafts)
+            if (severity_of(one) == Severity::error) {
+                known_.emplace(one.rule->info.code, one.draft.interface_id.value_or(0));
+                codes_.insert(one.rule->info.code);
+            }
+        for (const Drawbead& bead : checked.model.drawbeads())
+            interfaces_.insert(bead.id);
+    }
+
+    /// The first error of `after` that was not there before; empty when there is none. Those of new
+    /// interfaces count when no interface had one of the kind.
+    std::string first_new(const CheckedDeck& after) const {
+        for (const RuleDraft& one : after.drafts) {
+            if (severity_of(one) != Severity::error) continue;
+            const std::string_view code = one.rule->info.code;
+            const InterfaceId id = one.draft.interface_id.value_or(0);
+            const bool is_new = one.draft.interface_id && interfaces_.count(id) == 0;
+            if (is_new ? codes_.count(code) == 0 : known_.count({code, id}) == 0)
+                return "it would bring a new error: " + std::string(code) + " " + one.draft.message;
+        }
+        return {};
+    }
+
+private:
+    std::set<std::pair<std::string_view, InterfaceId>> known_;
+    std::set<std::string_view> codes_;
+    std::set<InterfaceId> interfaces_;
+};
+
+InterfaceOutcome::State state_of(const CheckedDeck& checked, std::size_t i) {
+    InterfaceOutcome::State state;
+    const BeadAnalysis& a = checked.analysis.beads[i];
+    state.nodes = a.group ? a.group->nodes.size() : 0;
+    state.fn = a.fn_total;
+    state.ft = a.ft_total;
+    const UnitSystem& units = checked.deck->work_units();
+    if (i < checked.analysis.contact.interfaces.size() &&
+        checked.analysis.contact.interfaces[i].unknown.empty()) {
+        const SlopeChoice& slope = checked.analysis.contact.interfaces[i].contact.slope;
+        constexpr Dimension slope_dimension{1, -1, -2};
+        switch (slope.kind) {
+        case Slope::none:
+            state.slope = "none";
+            break;
+        case Slope::ramp:
+            state.slope = quantity(slope.ramp, units, slope_dimension, 6);
+            break;
+        case Slope::reset:
+            state.slope = "reset to the blank's stiffness";
+            break;
+        case Slope::depth_absent:
+            state.slope = "the blank's stiffness";
+            break;
+        }
+    }
+    return state;
+}
+
+/// All interfaces before and after, in deck order, new ones last.
+class Interfaces {
+public:
+    void take(const CheckedDeck& checked, const DeckResult& result, bool after) {
+        const auto& beads = checked.model.drawbeads();
+        for (std::size_t i = 0; i < beads.size(); ++i) {
+            const auto [at, added] = place_.emplace(beads[i].id, all_.size());
+            if (added) {
+                all_.emplace_back();
+                all_.back().id = beads[i].id;
+                all_.back().title = printable(beads[i].title);
+            }
+            InterfaceOutcome::State state = state_of(checked, i);
+            if (result.starter)
+                for (const StarterMessages::Interface& one : result.starter->interfaces)
+                    if (one.id == beads[i].id) state.messages = one.messages;
+            (after ? all_[at->second].after : all_[at->second].before) = std::move(state);
+        }
+    }
+
+    std::vector<InterfaceOutcome> changed(const std::vector<AppliedFix>& applied) {
+        for (const AppliedFix& fix : applied)
+            for (const InterfaceChange& change : fix.changes)
+                if (const auto at = place_.find(change.interface_id); at != place_.end()) {
+                    all_[at->second].segments_turned += change.segments_turned;
+                    all_[at->second].nodes_moved += change.nodes_moved;
+                }
+        std::vector<InterfaceOutcome> out;
+        for (InterfaceOutcome& one : all_)
+            if (one.changed()) out.push_back(std::move(one));
+        return out;
+    }
+
+private:
+    std::map<InterfaceId, std::size_t> place_;
+    std::vector<InterfaceOutcome> all_;
 };
 
 class Fixer {
@@ -110,6 +209,8 @@ public:
         State state{std::move(*read), {}, {}};
         outcome.original = state.checked;
         outcome.before = result_of(*state.checked);
+        Interfaces interfaces;
+        interfaces.take(*state.checked, outcome.before, false);
         bool alone = false;
         while (outcome.rounds < options_.most_rounds) {
             std::vector<Planned> plan = plan_round(*state.checked, alone, outcome.declined);
@@ -123,20 +224,21 @@ public:
             const std::string wrong = try_round(state, plan, edits, next);
             if (wrong.empty()) {
                 for (Planned& one : plan)
-                    note(*state.checked, one, outcome.applied);
+                    outcome.applied.push_back(std::move(one.fix));
                 state = std::move(next);
                 alone = false;
-            } else if (plan.size() > 1) {
-                alone = true;
-            } else {
-                dropped_[plan.front().subject] = wrong;
-                alone = false;
+                continue;
             }
+            alone = plan.size() > 1;
+            if (!alone) dropped_[plan.front().subject] = wrong;
+            if (!read_again(state, outcome)) break;
         }
         outcome.result = state.checked;
         outcome.after = result_of(*state.checked);
         take_files(state, outcome);
-        compare_interfaces(outcome);
+        interfaces.take(*state.checked, outcome.after, true);
+        outcome.force_unit = unit_name(state.checked->deck->work_units(), force_dimension);
+        outcome.interfaces = interfaces.changed(outcome.applied);
         return outcome;
     }
 
@@ -167,7 +269,7 @@ private:
             const FreeIds before = ids;
             FixPlanner planner(*checked.deck, index, ids, options_.choices);
             std::optional<Fix> fix = one->rule->fix(checked.context(), one->draft, planner);
-            Planned planned{one, subject_of(*one), {}, {}};
+            Planned planned{subject_of(*one), {}, {}};
             if (fix) planned.edits = planner.edits();
             DeclinedFix reason = declined_fix(checked, *one);
             if (fix) reason.title = fix->title;
@@ -203,7 +305,15 @@ private:
             accepted.insert(accepted.end(), planned.edits.begin(), planned.edits.end());
             sort_edits(accepted);
             stage = stage_of(one->rule->info);
-            planned.fix = std::move(*fix);
+            const RuleInfo& info = one->rule->info;
+            planned.fix = {std::string(info.code),
+                           std::string(info.name),
+                           fix->title,
+                           fix->applicability == FixAvailability::safe,
+                           one->draft.interface_id,
+                           reason.place,
+                           one->draft.message,
+                           std::move(fix->changes)};
             plan.push_back(std::move(planned));
         }
         return plan;
@@ -222,7 +332,10 @@ private:
     /// What is wrong with the result; empty when the round may stay, `next` is then the deck after it.
     std::string try_round(const State& state, const std::vector<Planned>& plan, const EditList& edits,
                           State& next) {
-        const CheckedDeck& before = *state.checked;
+        // What is asked of the deck before, then its memory goes to the deck after.
+        CheckedDeck& before = *state.checked;
+        const Errors errors(before);
+        before.forget();
         EditedReader reader(disk_, *before.deck, edits, options_.threads);
         auto read = read_and_check(path_, reader, reading_, rules_, needs_, options_.threads);
         if (!read) return "the result could not be read: " + read.error().message;
@@ -237,7 +350,7 @@ private:
             found.insert(subject_of(one));
         for (const Planned& one : plan)
             if (found.count(one.subject) != 0) return "the finding was still there after the repair";
-        if (std::string error = new_error(before, after); !error.empty()) return error;
+        if (std::string error = errors.first_new(after); !error.empty()) return error;
         next.texts = reader.texts();
         for (std::size_t i = 0; i < next.texts.size(); ++i)
             if (!next.texts[i] && i < state.texts.size()) next.texts[i] = state.texts[i];
@@ -246,37 +359,14 @@ private:
         return {};
     }
 
-    /// The first error that was not there before. Those of new interfaces count when no interface had one of
-    /// the kind.
-    static std::string new_error(const CheckedDeck& before, const CheckedDeck& after) {
-        std::set<std::pair<std::string_view, InterfaceId>> known;
-        std::set<std::string_view> codes;
-        std::set<InterfaceId> interfaces;
-        for (const RuleDraft& one : before.drafts)
-            if (severity_of(one) == Severity::error) {
-                known.emplace(one.rule->info.code, one.draft.interface_id.value_or(0));
-                codes.insert(one.rule->info.code);
-            }
-        for (const Drawbead& bead : before.model.drawbeads())
-            interfaces.insert(bead.id);
-        for (const RuleDraft& one : after.drafts) {
-            if (severity_of(one) != Severity::error) continue;
-            const InterfaceId id = one.draft.interface_id.value_or(0);
-            const bool is_new = one.draft.interface_id && interfaces.count(id) == 0;
-            if (is_new ? codes.count(one.rule->info.code) != 0 : known.count({one.rule->info.code, id}) != 0)
-                continue;
-            return "it would bring a new error: " + std::string(one.rule->info.code) + " " +
-                   one.draft.message;
-        }
-        return {};
-    }
-
-    static void note(const CheckedDeck& checked, Planned& one, std::vector<AppliedFix>& applied) {
-        const RuleInfo& info = one.finding->rule->info;
-        applied.push_back({std::string(info.code), std::string(info.name), one.fix.title,
-                           one.fix.applicability == FixAvailability::safe, one.finding->draft.interface_id,
-                           resolve(*checked.deck, one.finding->draft.primary), one.finding->draft.message,
-                           std::move(one.fix.changes)});
+    /// The deck before a round that came to nothing.
+    bool read_again(State& state, FixOutcome& outcome) {
+        EditedReader reader(disk_, *outcome.original->deck, state.edits, options_.threads);
+        auto read = read_and_check(path_, reader, reading_, rules_, needs_, options_.threads);
+        if (!read) return false;
+        state.texts = reader.texts();
+        state.checked = std::move(*read);
+        return true;
     }
 
     static void take_files(const State& state, FixOutcome& outcome) {
@@ -288,67 +378,6 @@ private:
             outcome.files.push_back({file.path(), file.bytes(), after.files()[i]->bytes(), std::move(edits)});
         }
         outcome.texts = state.texts;
-    }
-
-    static InterfaceOutcome::State state_of(const CheckedDeck& checked, std::size_t i) {
-        InterfaceOutcome::State state;
-        const BeadAnalysis& a = checked.analysis.beads[i];
-        state.nodes = a.group ? a.group->nodes.size() : 0;
-        state.fn = a.fn_total;
-        state.ft = a.ft_total;
-        const UnitSystem& units = checked.deck->work_units();
-        if (i < checked.analysis.contact.interfaces.size() &&
-            checked.analysis.contact.interfaces[i].unknown.empty()) {
-            const SlopeChoice& slope = checked.analysis.contact.interfaces[i].contact.slope;
-            constexpr Dimension slope_dimension{1, -1, -2};
-            switch (slope.kind) {
-            case Slope::none:
-                state.slope = "none";
-                break;
-            case Slope::ramp:
-                state.slope = quantity(slope.ramp, units, slope_dimension, 6);
-                break;
-            case Slope::reset:
-                state.slope = "reset to the blank's stiffness";
-                break;
-            case Slope::depth_absent:
-                state.slope = "the blank's stiffness";
-                break;
-            }
-        }
-        return state;
-    }
-
-    static void compare_interfaces(FixOutcome& outcome) {
-        outcome.force_unit = unit_name(outcome.original->deck->work_units(), force_dimension);
-        std::map<InterfaceId, std::size_t> place;
-        std::vector<InterfaceOutcome> all;
-        const auto take = [&](const CheckedDeck& checked, const DeckResult& result, bool after) {
-            const auto& beads = checked.model.drawbeads();
-            for (std::size_t i = 0; i < beads.size(); ++i) {
-                const auto [at, added] = place.emplace(beads[i].id, all.size());
-                if (added) {
-                    all.emplace_back();
-                    all.back().id = beads[i].id;
-                    all.back().title = printable(beads[i].title);
-                }
-                InterfaceOutcome::State state = state_of(checked, i);
-                if (result.starter)
-                    for (const StarterMessages::Interface& one : result.starter->interfaces)
-                        if (one.id == beads[i].id) state.messages = one.messages;
-                (after ? all[at->second].after : all[at->second].before) = std::move(state);
-            }
-        };
-        take(*outcome.original, outcome.before, false);
-        take(*outcome.result, outcome.after, true);
-        for (const AppliedFix& fix : outcome.applied)
-            for (const InterfaceChange& change : fix.changes)
-                if (const auto at = place.find(change.interface_id); at != place.end()) {
-                    all[at->second].segments_turned += change.segments_turned;
-                    all[at->second].nodes_moved += change.nodes_moved;
-                }
-        for (InterfaceOutcome& one : all)
-            if (one.changed()) outcome.interfaces.push_back(std::move(one));
     }
 
     const std::string& path_;

@@ -83,6 +83,22 @@ class Schema(CommandLineTest):
                 self.assertEqual(status, 0)
                 validator.validate(loads(out))
 
+    def test_fix(self):
+        schema = json.loads((ROOT / "schemas" / "fix.schema.json").read_text())
+        jsonschema.Draft7Validator.check_schema(schema)
+        status, out, _ = self.run_tool("schema", "fix")
+        self.assertEqual((status, json.loads(out)), (0, schema))
+        validator = jsonschema.Draft7Validator(strict(schema))
+        truth = ROOT / "tests" / "truth"
+        self.write("lost_group_0000.rad", tiny(group=9))
+        status, out, _ = self.run_tool("fix", truth / "half", truth / "twoside_bad", truth / "gap_one", SAMPLES,
+                                       self.folder, "lost_0000.rad", "--format", "json")
+        self.assertEqual(status, 2)
+        report = loads(out)
+        validator.validate(report)
+        self.assertEqual(report["decks"][0]["applied"][0]["code"], "SRF001")
+        self.assertIsNotNone(report["decks"][-1]["failure"])
+
     def test_info(self):
         for deck in sorted(SAMPLES.glob("*_0000.rad")):
             info = loads(self.run_tool("info", deck, "--format", "json")[1])

@@ -370,6 +370,7 @@ TEST_CASE("elements are turned where that is asked for, and the text is the clea
     for (const bool triangles : {false, true}) {
         SheetDeck deck;
         deck.triangles = triangles;
+        deck.keep_first = true;
         for (const bool whole : {true, false}) {
             deck.flipped = whole ? all_of(deck) : patch(deck, 4, 3, 2);
             const FixOutcome outcome = repaired(deck, {.unsafe = false, .normals = NormalsMode::elements});

@@ -3,6 +3,7 @@
 // segments the wrong way round.
 #include "deck/file_reader.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <functional>
@@ -25,10 +26,11 @@ struct SheetDeck {
 
     int nx = 10, ny = 8;
     Surface surface = Surface::part;
-    bool triangles = false; ///< every fifth quad as two triangles
-    int island_from = 0;    ///< a slit in front of this column of elements
-    std::set<int> flipped;  ///< ids of elements the other way round (their SEG lines where there are any)
-    std::set<int> minus;    ///< ids of parts or groups with a minus sign
+    bool triangles = false;  ///< every fifth quad as two triangles
+    int island_from = 0;     ///< a slit in front of this column of elements
+    std::set<int> flipped;   ///< ids of elements the other way round (their SEG lines where there are any)
+    bool keep_first = false; ///< a flipped element keeps its first node: 1432, not 4321
+    std::set<int> minus;     ///< ids of parts or groups with a minus sign
     std::vector<Bead> beads{Bead{}};
     std::string more; ///< further blocks
     int version = 2022;
@@ -85,7 +87,10 @@ struct SheetDeck {
 
     std::vector<int> nodes_of(const Element& e, bool damaged) const {
         std::vector<int> n = e.n;
-        if (damaged && flipped.count(e.id)) n.assign(e.n.rbegin(), e.n.rend());
+        if (damaged && flipped.count(e.id)) {
+            n.assign(e.n.rbegin(), e.n.rend());
+            if (keep_first) std::rotate(n.begin(), n.end() - 1, n.end());
+        }
         return n;
     }
 
