@@ -20,14 +20,15 @@ bool is_triangle(const Segment& s) {
     return s.n[2] == s.n[3];
 }
 
-/// The part of a surface's type that says what its list names: "PART" of "PART/EXT".
+/// What the list of a surface names: "PART" of "PART/EXT".
 std::string_view list_kind(const Surface& surface) {
     return std::string_view(surface.type).substr(0, surface.type.find('/'));
 }
 
+/// Lists in which a minus sign is known to turn what it names.
 bool is_element_list(const Surface& surface) {
-    static constexpr std::string_view kinds[] = {"PART",   "SUBSET", "MAT",    "PROP",
-                                                 "GRSHEL", "GRSH3N", "GRTRIA", "SUBMODEL"};
+    static constexpr std::string_view kinds[] = {"PART",   "SUBSET", "MAT",   "PROP",
+                                                 "GRSHEL", "GRSH3N", "GRTRIA"};
     return std::find(std::begin(kinds), std::end(kinds), list_kind(surface)) != std::end(kinds);
 }
 
@@ -441,11 +442,10 @@ private:
     int64_t written(const SurfaceSource& source) const {
         using Kind = SurfaceSource::Kind;
         const Offsets& offsets = deck_.scope(block_.scope).offsets;
-        const int64_t offset = source.kind == Kind::part           ? offsets.part
-                               : source.kind == Kind::material     ? offsets.material
-                               : source.kind == Kind::property     ? offsets.property
-                               : list_kind(surface_) == "SUBMODEL" ? offsets.submodel
-                                                                   : offsets.general;
+        const int64_t offset = source.kind == Kind::part       ? offsets.part
+                               : source.kind == Kind::material ? offsets.material
+                               : source.kind == Kind::property ? offsets.property
+                                                               : offsets.general;
         return Deck::global_id(source.id, -offset);
     }
 

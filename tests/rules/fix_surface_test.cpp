@@ -366,6 +366,18 @@ TEST_CASE("parameters are replaced in the cell") {
     CHECK(side_findings(outcome.after).empty());
 }
 
+TEST_CASE("no new ids are taken while an include is missing") {
+    SheetDeck deck;
+    deck.flipped = patch(deck, 4, 3, 1);
+    deck.more = "#include lost.inc\n";
+    const FixOutcome outcome = fix(deck.files());
+    CHECK_FALSE(outcome.changed());
+    REQUIRE(outcome.declined.size() == 2);
+    CHECK(outcome.declined[0].why == "an include could not be read: no id is known to be free");
+    deck.flipped = all_of(deck); // a sign needs none
+    CHECK(side_findings(fix(deck.files()).after).empty());
+}
+
 TEST_CASE("elements are turned where that is asked for, and the text is the clean one again") {
     for (const bool triangles : {false, true}) {
         SheetDeck deck;
