@@ -239,6 +239,7 @@ public:
         interfaces.take(*state.checked, outcome.after, true);
         outcome.force_unit = unit_name(state.checked->deck->work_units(), force_dimension);
         outcome.interfaces = interfaces.changed(outcome.applied);
+        state.checked->forget(); // its memory can hold the pages of the files that are written next
         return outcome;
     }
 

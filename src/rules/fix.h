@@ -40,7 +40,7 @@ struct FixOutcome {
     std::string force_unit;
     unsigned rounds = 0;
 
-    std::shared_ptr<const CheckedDeck> original, result;
+    std::shared_ptr<const CheckedDeck> original, result; ///< for their decks: the rest was given back
     std::vector<std::shared_ptr<const Buffer<char>>> texts;
 
     bool changed() const { return !files.empty(); }

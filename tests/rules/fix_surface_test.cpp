@@ -351,6 +351,39 @@ TEST_CASE("in an include, in a submodel with offsets, with the line ends of Wind
             }
 }
 
+TEST_CASE("a file that is included twice, with other offsets, is repaired for both") {
+    for (const bool whole : {true, false})
+        for (const Form surface : {Form::part, Form::seg, Form::grshel}) {
+            CAPTURE(whole, static_cast<int>(surface));
+            SheetDeck deck;
+            deck.surface = surface;
+            deck.in_submodel = true;
+            deck.beads = {{1, 12, 3}, {2, 32, 3}};
+            const auto twice = [](Files files) {
+                std::string& text = files.at("deck.rad");
+                const std::string end = "//ENDSUB\n";
+                text.insert(text.find(end) + end.size(),
+                            "/PART/1001\nagain\n         1         1         0\n"
+                            "//SUBMODEL/10\nagain\n      1000    300000    400000\n#include sheet.inc\n"
+                            "//ENDSUB\n");
+                const std::string second = "       102         1  ";
+                text.replace(text.find(second), second.size(), "       102      1001  ");
+                return files;
+            };
+            const Files clean = twice(deck.files());
+            deck.flipped = whole ? all_of(deck) : patch(deck, 4, 3, 3);
+            const Files files = twice(deck.files());
+            const FixOutcome outcome = fix(files);
+            CHECK(side_findings(outcome.before).count("SRF001") == 1);
+            CHECK(side_findings(outcome.after).empty());
+            CHECK(outcome.declined.empty());
+            const Files after = fixed_files(files, outcome);
+            CHECK(scene(after) == scene(clean));
+            CHECK_FALSE(fix(after).changed());
+            if (surface == Form::seg) CHECK(after == clean);
+        }
+}
+
 TEST_CASE("parameters are replaced in the cell") {
     SheetDeck deck;
     deck.flipped = all_of(deck);
