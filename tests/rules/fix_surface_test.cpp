@@ -232,6 +232,39 @@ TEST_CASE("the smallest edit is made") {
     CHECK(lines_changed(repaired(parts)) == 1);
 }
 
+TEST_CASE("signs, lines and clauses turned twice are what they were") {
+    for (const Form surface : {Form::part, Form::seg, Form::grshel, Form::surf_of_part, Form::surf_of_seg,
+                               Form::set, Form::parts_two})
+        for (const bool triangles : {false, true}) {
+            CAPTURE(static_cast<int>(surface), triangles);
+            SheetDeck above;
+            above.surface = surface;
+            above.triangles = triangles;
+            if (triangles && surface == Form::surf_of_part) continue; // takes a surface of its own
+            if (triangles && surface == Form::grshel) continue;
+            SheetDeck below = above;
+            below.beads[0].height = -3;
+            // The bead goes to the other side and back again.
+            const auto with_bead_of = [](const Files& files, const Files& other) {
+                const auto bead_nodes = [](const std::string& text) {
+                    const std::size_t begin = text.rfind("/NODE\n", text.find("/GRNOD/NODE/900"));
+                    return std::pair(begin, text.find("/GRNOD/NODE/900") - begin);
+                };
+                Files out = files;
+                std::string& text = out.at("deck.rad");
+                const std::string& from = other.at("deck.rad");
+                const auto [a, n] = bead_nodes(text);
+                const auto [b, m] = bead_nodes(from);
+                text.replace(a, n, from.substr(b, m));
+                return out;
+            };
+            const Files turned = fixed_files(below.files(), fix(below.files()));
+            CHECK(turned != below.files());
+            const Files back = with_bead_of(turned, above.files());
+            CHECK(fixed_files(back, fix(back)) == above.files());
+        }
+}
+
 TEST_CASE("seventy percent reversed: the bead decides, not the majority") {
     SheetDeck deck;
     for (const auto& e : deck.elements())
