@@ -28,6 +28,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace drawbead {
@@ -48,6 +49,9 @@ struct Fix {
     std::string title;                                     ///< as in "fix: title", without a full stop
     FixAvailability applicability = FixAvailability::safe; ///< safe or unsafe
     std::vector<InterfaceChange> changes;
+    /// Codes and families of errors that the damage hid, since rules keep quiet where they cannot judge: they
+    /// may be there afterwards, for the interfaces of the finding and of `changes`.
+    std::vector<std::string_view> uncovers = {};
 };
 
 class FixPlanner {

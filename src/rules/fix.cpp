@@ -80,6 +80,16 @@ struct Planned {
     Subject subject;
     AppliedFix fix;
     EditList edits;
+    std::vector<std::string_view> uncovers = {}; ///< see Fix
+
+    /// Whether the damage may have hidden an error.
+    bool may_uncover(std::string_view code, std::optional<InterfaceId> id) const {
+        const auto is_concerned = [&](const InterfaceChange& c) { return c.interface_id == *id; };
+        return std::any_of(uncovers.begin(), uncovers.end(),
+                           [&](std::string_view kind) { return code.starts_with(kind); }) &&
+               (!id || id == fix.interface_id ||
+                std::any_of(fix.changes.begin(), fix.changes.end(), is_concerned));
+    }
 };
 
 /// The deck at the end of a round.
@@ -102,15 +112,17 @@ public:
             interfaces_.insert(bead.id);
     }
 
-    /// The first error of `after` that was not there before; empty when there is none. Those of new
-    /// interfaces count when no interface had one of the kind.
-    std::string first_new(const CheckedDeck& after) const {
+    /// The first error of `after` that was not there before, nor hidden by what `plan` repairs; empty when
+    /// there is none. Those of new interfaces count when no interface had one of the kind.
+    std::string first_new(const CheckedDeck& after, const std::vector<Planned>& plan) const {
         for (const RuleDraft& one : after.drafts) {
             if (severity_of(one) != Severity::error) continue;
             const std::string_view code = one.rule->info.code;
             const InterfaceId id = one.draft.interface_id.value_or(0);
             const bool is_new = one.draft.interface_id && interfaces_.count(id) == 0;
-            if (is_new ? codes_.count(code) == 0 : known_.count({code, id}) == 0)
+            if (is_new ? codes_.count(code) != 0 : known_.count({code, id}) != 0) continue;
+            if (std::none_of(plan.begin(), plan.end(),
+                             [&](const Planned& p) { return p.may_uncover(code, one.draft.interface_id); }))
                 return "it would bring a new error: " + std::string(code) + " " + one.draft.message;
         }
         return {};
@@ -315,6 +327,7 @@ private:
                            reason.place,
                            one->draft.message,
                            std::move(fix->changes)};
+            planned.uncovers = std::move(fix->uncovers);
             plan.push_back(std::move(planned));
         }
         return plan;
@@ -351,7 +364,7 @@ private:
             found.insert(subject_of(one));
         for (const Planned& one : plan)
             if (found.count(one.subject) != 0) return "the finding was still there after the repair";
-        if (std::string error = errors.first_new(after); !error.empty()) return error;
+        if (std::string error = errors.first_new(after, plan); !error.empty()) return error;
         next.texts = reader.texts();
         for (std::size_t i = 0; i < next.texts.size(); ++i)
             if (!next.texts[i] && i < state.texts.size()) next.texts[i] = state.texts[i];

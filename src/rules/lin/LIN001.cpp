@@ -1,4 +1,5 @@
 #include "rules/lin/bead_report.h"
+#include "rules/lin/list_repair.h"
 #include "rules/support.h"
 #include "rules/text.h"
 
@@ -7,6 +8,8 @@
 namespace drawbead {
 
 namespace {
+
+constexpr const char* title = "one interface and group per piece";
 
 void check(const RuleContext& context, FindingSink& sink) {
     for (const BeadAnalysis* a : beads_with_order(context)) {
@@ -39,11 +42,22 @@ void check(const RuleContext& context, FindingSink& sink) {
         measure_cost(context, *a, fn, ft, draft);
         draft.help = "give each of the " + std::to_string(gaps.size() + 1) +
                      " pieces an interface and a group of its own";
-        const bool constant = !a->bead->fn_varies() && !a->bead->ft_varies();
-        draft.fixes.push_back({"one interface and group per piece",
-                               constant ? FixAvailability::safe : FixAvailability::unsafe});
+        if (pieces_are_lines(*a, list_pieces(*a)))
+            draft.fixes.push_back({title, limits_are_constant(*a->bead) ? FixAvailability::safe
+                                                                        : FixAvailability::unsafe});
         sink.add(std::move(draft));
     }
+}
+
+std::optional<Fix> fix(const RuleContext& context, const Draft& draft, FixPlanner& planner) {
+    const BeadAnalysis* a = analysed_bead(context, draft);
+    if (!a) return planner.decline("the interface has no list of nodes");
+    const std::vector<std::vector<uint32_t>> pieces = list_pieces(*a);
+    if (!pieces_are_lines(*a, pieces)) return planner.decline("a piece of one node is no line");
+    Fix fix{title, limits_are_constant(*a->bead) ? FixAvailability::safe : FixAvailability::unsafe, {}};
+    fix.uncovers = {"LIN"};
+    if (!split_bead(context, *a, pieces, present_limits(*a, pieces), planner, fix)) return std::nullopt;
+    return fix;
 }
 
 } // namespace
@@ -54,6 +68,8 @@ extern const Rule LIN001{{.code = "LIN001",
                           .severity = Severity::error,
                           .fix = FixAvailability::sometimes_safe},
                          needs_closest,
-                         check};
+                         check,
+                         needs_list_users,
+                         fix};
 
 } // namespace drawbead

@@ -1,4 +1,5 @@
 #include "rules/lin/bead_report.h"
+#include "rules/lin/list_repair.h"
 #include "rules/support.h"
 #include "rules/text.h"
 
@@ -8,6 +9,8 @@
 namespace drawbead {
 
 namespace {
+
+constexpr const char* title = "list the nodes in walking order";
 
 /// What the nodes carry too much or too little, against the list in walking order: a sum of sizes, since the
 /// totals of the two may well be alike.
@@ -57,13 +60,20 @@ void check(const RuleContext& context, FindingSink& sink) {
             order += (i == 0 ? "" : " ") + std::to_string(node_id(context, *a, walk.order[i]));
         if (walk.order.size() > 8) order += " and on";
         draft.help = "list the nodes as they stand along the bead: " + order;
-        const bool constant = !a->bead->fn_varies() && !a->bead->ft_varies();
-        const bool starts_at_end = !walk.order.empty() && (walk.order.front() == 0 || walk.order.back() == 0);
-        const bool safe = walk.unambiguous && (constant || starts_at_end);
         draft.fixes.push_back(
-            {"list the nodes in walking order", safe ? FixAvailability::safe : FixAvailability::unsafe});
+            {title, walk_is_safe(a->check, *a->bead) ? FixAvailability::safe : FixAvailability::unsafe});
         sink.add(std::move(draft));
     }
+}
+
+std::optional<Fix> fix(const RuleContext& context, const Draft& draft, FixPlanner& planner) {
+    const BeadAnalysis* a = analysed_bead(context, draft);
+    if (!a || !a->check.scrambled) return planner.decline("the interface has no list of nodes");
+    Fix fix{
+        title, walk_is_safe(a->check, *a->bead) ? FixAvailability::safe : FixAvailability::unsafe, {}};
+    fix.uncovers = {"LIN"}; // hops and turns of a wrong walk mean nothing
+    if (!set_list(context, *a, whole_walk(a->check), planner, fix)) return std::nullopt;
+    return fix;
 }
 
 } // namespace
@@ -74,6 +84,8 @@ extern const Rule LIN002{{.code = "LIN002",
                           .severity = Severity::error,
                           .fix = FixAvailability::sometimes_safe},
                          needs_closest,
-                         check};
+                         check,
+                         needs_list_users,
+                         fix};
 
 } // namespace drawbead

@@ -1,10 +1,16 @@
 #include "rules/lin/bead_report.h"
+#include "rules/lin/list_repair.h"
 #include "rules/support.h"
 #include "rules/text.h"
+
+#include <algorithm>
 
 namespace drawbead {
 
 namespace {
+
+constexpr const char* drop_repeated = "drop the repeated entries";
+constexpr const char* drop_coincident = "drop the second node of each pair";
 
 void say_repeated(const RuleContext& context, const BeadAnalysis& a, FindingSink& sink) {
     const LineCheck& list = a.check;
@@ -30,7 +36,7 @@ void say_repeated(const RuleContext& context, const BeadAnalysis& a, FindingSink
     draft.help = list.closed_by_repeat
                      ? "take the last entry away; a new node at the place of the first one closes the loop"
                      : "take the repeated entries away";
-    draft.fixes.push_back({"drop the repeated entries", FixAvailability::safe});
+    draft.fixes.push_back({drop_repeated, FixAvailability::safe});
     sink.add(std::move(draft));
 }
 
@@ -64,7 +70,7 @@ void say_coincident(const RuleContext& context, const BeadAnalysis& a, FindingSi
     }
     measure_cost(context, a, fn, ft, draft);
     draft.help = "take one node of each pair out of the list";
-    draft.fixes.push_back({"drop the second node of each pair", FixAvailability::safe});
+    if (a.order_is_the_authors) draft.fixes.push_back({drop_coincident, FixAvailability::safe});
     sink.add(std::move(draft));
 }
 
@@ -76,6 +82,41 @@ void check(const RuleContext& context, FindingSink& sink) {
     }
 }
 
+/// What a node listed at `i` adds to the way along the list; ends weigh like hops.
+double detour(const BeadAnalysis& a, uint32_t i) {
+    const bool first = i == 0, last = i + 1 == a.x.size();
+    const double before = first ? 0 : distance(a.x[i - 1], a.x[i]);
+    const double after = last ? 0 : distance(a.x[i], a.x[i + 1]);
+    return before + after - (first || last ? 0 : distance(a.x[i - 1], a.x[i + 1]));
+}
+
+std::optional<Fix> fix(const RuleContext& context, const Draft& draft, FixPlanner& planner) {
+    const BeadAnalysis* a = analysed_bead(context, draft);
+    if (!a) return planner.decline("the interface has no list of nodes");
+    const bool coincident = draft.discriminator == "coincident";
+    std::vector<bool> dropped(a->x.size(), false);
+    if (coincident) {
+        for (const LinePair& pair : a->check.coincident)
+            dropped[pair.second] = true;
+    } else {
+        // Of the places of a node the one on the way stays; the first where both are.
+        for (const LinePair& pair : a->check.repeated) {
+            const bool second = a->check.closed_by_repeat || dropped[pair.first] ||
+                                detour(*a, pair.first) <= detour(*a, pair.second) * (1 + 1e-9);
+            dropped[second ? pair.second : pair.first] = true;
+        }
+    }
+    std::vector<uint32_t> kept;
+    for (uint32_t i = 0; i < a->x.size(); ++i)
+        if (!dropped[i]) kept.push_back(i);
+    if (kept.size() == a->x.size()) return planner.decline("no entry is to be dropped");
+    Fix fix{coincident ? drop_coincident : drop_repeated, FixAvailability::safe, {}};
+    if (!a->order_is_the_authors) return planner.decline("the order of the list comes first");
+    fix.uncovers = {"LIN"};
+    if (!set_list(context, *a, kept, planner, fix)) return std::nullopt;
+    return fix;
+}
+
 } // namespace
 
 extern const Rule LIN003{{.code = "LIN003",
@@ -84,6 +125,8 @@ extern const Rule LIN003{{.code = "LIN003",
                           .severity = Severity::error,
                           .fix = FixAvailability::safe},
                          needs_lines,
-                         check};
+                         check,
+                         needs_list_users,
+                         fix};
 
 } // namespace drawbead

@@ -1,4 +1,5 @@
 #include "rules/lin/bead_report.h"
+#include "rules/lin/list_repair.h"
 #include "rules/support.h"
 #include "rules/text.h"
 
@@ -7,6 +8,8 @@
 namespace drawbead {
 
 namespace {
+
+constexpr const char* title = "one interface and group per arm";
 
 void check(const RuleContext& context, FindingSink& sink) {
     for (const BeadAnalysis* a : beads_with_order(context)) {
@@ -34,9 +37,20 @@ void check(const RuleContext& context, FindingSink& sink) {
         draft.measured.push_back({"turn", worst.degrees, "degrees"});
         measure_cost(context, *a, fn, ft, draft);
         draft.help = "split the bead at the fold into two interfaces";
-        draft.fixes.push_back({"one interface and group per arm", FixAvailability::unsafe});
+        draft.fixes.push_back({title, FixAvailability::unsafe});
         sink.add(std::move(draft));
     }
+}
+
+std::optional<Fix> fix(const RuleContext& context, const Draft& draft, FixPlanner& planner) {
+    const BeadAnalysis* a = analysed_bead(context, draft);
+    if (!a) return planner.decline("the interface has no list of nodes");
+    // The tip is the end of both arms: half a step of each, as the solver takes the ends of a line.
+    const std::vector<std::vector<uint32_t>> arms = cut_at_nodes(*a, a->check.folds);
+    Fix fix{title, FixAvailability::unsafe, {}};
+    fix.uncovers = {"LIN"};
+    if (!split_bead(context, *a, arms, present_limits(*a, arms), planner, fix)) return std::nullopt;
+    return fix;
 }
 
 } // namespace
@@ -47,6 +61,8 @@ extern const Rule LIN004{{.code = "LIN004",
                           .severity = Severity::error,
                           .fix = FixAvailability::unsafe},
                          needs_closest,
-                         check};
+                         check,
+                         needs_list_users,
+                         fix};
 
 } // namespace drawbead

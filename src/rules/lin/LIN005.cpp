@@ -1,4 +1,5 @@
 #include "rules/lin/bead_report.h"
+#include "rules/lin/list_repair.h"
 #include "rules/support.h"
 #include "rules/text.h"
 
@@ -7,6 +8,8 @@
 namespace drawbead {
 
 namespace {
+
+constexpr const char* title = "one interface and group per side";
 
 void check(const RuleContext& context, FindingSink& sink) {
     for (const BeadAnalysis* a : beads_with_order(context)) {
@@ -38,9 +41,20 @@ void check(const RuleContext& context, FindingSink& sink) {
             {"lost length", lost, unit_name(context.deck.work_units(), length_dimension)});
         measure_cost(context, *a, fn, ft, draft);
         draft.help = "round the corner with more nodes, or split the bead there";
-        draft.fixes.push_back({"split at the corner, or insert nodes", FixAvailability::unsafe});
+        if (!a->check.loop_open) draft.fixes.push_back({title, FixAvailability::unsafe});
         sink.add(std::move(draft));
     }
+}
+
+std::optional<Fix> fix(const RuleContext& context, const Draft& draft, FixPlanner& planner) {
+    const BeadAnalysis* a = analysed_bead(context, draft);
+    if (!a) return planner.decline("the interface has no list of nodes");
+    if (a->check.loop_open) return planner.decline("the loop has to be closed first");
+    const std::vector<std::vector<uint32_t>> sides = cut_at_nodes(*a, a->check.corners);
+    Fix fix{title, FixAvailability::unsafe, {}};
+    fix.uncovers = {"LIN"};
+    if (!split_bead(context, *a, sides, present_limits(*a, sides), planner, fix)) return std::nullopt;
+    return fix;
 }
 
 } // namespace
@@ -51,6 +65,8 @@ extern const Rule LIN005{{.code = "LIN005",
                           .severity = Severity::warning,
                           .fix = FixAvailability::unsafe},
                          needs_closest,
-                         check};
+                         check,
+                         needs_list_users,
+                         fix};
 
 } // namespace drawbead

@@ -1,4 +1,5 @@
 #include "rules/lin/bead_report.h"
+#include "rules/lin/list_repair.h"
 #include "rules/support.h"
 #include "rules/text.h"
 
@@ -7,6 +8,13 @@
 namespace drawbead {
 
 namespace {
+
+constexpr const char* title = "two beads whose limits meet";
+
+/// A loop that is joined by a node of its own; others have to be closed first.
+bool can_be_split(const LineCheck& list) {
+    return !list.loop_open && list.repeated.empty() && list.gaps.empty() && list.nodes > 4;
+}
 
 void check(const RuleContext& context, FindingSink& sink) {
     for (const BeadAnalysis* a : beads_with_order(context)) {
@@ -37,9 +45,31 @@ void check(const RuleContext& context, FindingSink& sink) {
         draft.entities.nodes.add(node_id(context, *a, last));
         measure_cost(context, *a, fn_jump * seam, ft_jump * seam, draft);
         draft.help = "split the loop into two beads whose limits meet, or make the limits equal";
-        draft.fixes.push_back({"split into two beads whose limits meet", FixAvailability::unsafe});
+        if (can_be_split(list)) draft.fixes.push_back({title, FixAvailability::unsafe});
         sink.add(std::move(draft));
     }
+}
+
+std::optional<Fix> fix(const RuleContext& context, const Draft& draft, FixPlanner& planner) {
+    const BeadAnalysis* a = analysed_bead(context, draft);
+    if (!a || !can_be_split(a->check)) return planner.decline("the loop has to be closed first");
+    // Half way round: out with the limits as they are, and back.
+    uint32_t half = 1;
+    while (half + 2 < a->x.size() && a->line.s[half] < 0.5 * a->line.length)
+        ++half;
+    LineTurn at;
+    at.at = half;
+    const Drawbead& bead = *a->bead;
+    EndLimits out{bead.fn_first, bead.fn_last, bead.ft_first, bead.ft_last}, back = out;
+    if (bead.fn_varies() && bead.fn_first != 0) std::swap(back.fn_first, back.fn_last);
+    if (bead.ft_varies()) {
+        back.ft_first = bead.ft_last;
+        back.ft_last = never_zero(bead.ft_first, bead.ft_last);
+    }
+    Fix fix{title, FixAvailability::unsafe, {}};
+    fix.uncovers = {"LIN"};
+    if (!split_bead(context, *a, cut_at_nodes(*a, {at}), {out, back}, planner, fix)) return std::nullopt;
+    return fix;
 }
 
 } // namespace
@@ -50,6 +80,8 @@ extern const Rule LIN007{{.code = "LIN007",
                           .severity = Severity::warning,
                           .fix = FixAvailability::unsafe},
                          needs_closest,
-                         check};
+                         check,
+                         needs_list_users,
+                         fix};
 
 } // namespace drawbead

@@ -18,7 +18,13 @@ void check(const RuleContext& context, FindingSink& sink) {
     for (std::size_t k = 0; k < beads.size(); ++k)
         for (std::size_t i = 0; i < beads[k]->x.size(); ++i) {
             const auto [at, is_new] = first_bead.try_emplace(beads[k]->group->nodes[i], k);
-            if (!is_new && at->second != k) shared[{at->second, k}].push_back(i);
+            if (is_new || at->second == k) continue;
+            // Beads that meet at their ends have half a step there each.
+            const std::vector<NodeRow>& other = beads[at->second]->group->nodes;
+            const NodeRow node = beads[k]->group->nodes[i];
+            if ((i == 0 || i + 1 == beads[k]->x.size()) && (node == other.front() || node == other.back()))
+                continue;
+            shared[{at->second, k}].push_back(i);
         }
     for (const auto& [pair, positions] : shared) {
         const BeadAnalysis &a = *beads[pair.first], &b = *beads[pair.second];
