@@ -232,6 +232,38 @@ std::string header_name(const Block& block) {
     return name;
 }
 
+std::vector<std::string_view> hidden_by_cards() {
+    return {"SYN", "REF", "LIN", "SRF", "PAR", "STB", "KIN", "CTX", "ENG"};
+}
+
+const Drawbead* drawbead_of(const RuleContext& context, const Draft& draft) {
+    for (const Drawbead& bead : context.model.drawbeads())
+        if (draft.interface_id == bead.id) return &bead;
+    return nullptr;
+}
+
+std::optional<Fix> write_iform_2(const RuleContext& context, const Draft& draft, FixPlanner& planner) {
+    const Drawbead* bead = drawbead_of(context, draft);
+    if (!bead) return planner.decline("the interface is not known");
+    planner.cells().set_cell(bead->cards[0], "Iform", "2");
+    return Fix{iform_2_title, FixAvailability::unsafe, {{bead->id, 0, 0}}};
+}
+
+std::optional<Fix> write_positive(const RuleContext& context, const Draft& draft, FixPlanner& planner) {
+    const Drawbead* bead = drawbead_of(context, draft);
+    if (!bead) return planner.decline("the interface is not known");
+    for (const Card& card : bead->cards) {
+        const Cell& cell = card[draft.discriminator];
+        if (!cell.given() || !(cell.real < 0)) continue;
+        // The author's digits, where the minus sign stands before them.
+        const bool plain = cell.state == CellState::ok && cell.text.size() > 1 && cell.text[0] == '-';
+        planner.cells().set_cell(card, draft.discriminator,
+                                 plain ? std::string(cell.text.substr(1)) : real_text(-cell.real));
+        return Fix{positive_title, FixAvailability::unsafe, {{bead->id, 0, 0}}};
+    }
+    return planner.decline("the number is not negative as it is written");
+}
+
 void set_places(Draft& draft, const std::vector<Span>& places) {
     if (places.empty()) return;
     draft.primary = places.front();

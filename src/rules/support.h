@@ -98,6 +98,21 @@ bool concerns_drawbeads(const Block&);
 /// "/GRNOD/NODENS/2"
 std::string header_name(const Block&);
 
+/// The interface of a draft; nullptr when there is none.
+const Drawbead* drawbead_of(const RuleContext&, const Draft&);
+
+/// The fix of rules whose remedy is the incremental form: Iform 2, unsafe.
+inline constexpr const char* iform_2_title = "Iform 2";
+std::optional<Fix> write_iform_2(const RuleContext&, const Draft&, FixPlanner&);
+
+/// The fix of a negative limit, the field of which is the draft's discriminator: the same number without its
+/// sign, unsafe.
+inline constexpr const char* positive_title = "the same number without its sign";
+std::optional<Fix> write_positive(const RuleContext&, const Draft&, FixPlanner&);
+
+/// What faults of the cards hide of an interface: other rules keep quiet while its cards are not usable.
+std::vector<std::string_view> hidden_by_cards();
+
 /// Places that are told in one finding: the first is the primary one.
 void set_places(Draft&, const std::vector<Span>& places);
 

@@ -43,8 +43,8 @@ void check(const RuleContext& context, FindingSink& sink) {
         draft.help = "give each of the " + std::to_string(gaps.size() + 1) +
                      " pieces an interface and a group of its own";
         if (pieces_are_lines(*a, list_pieces(*a)))
-            draft.fixes.push_back({title, limits_are_constant(*a->bead) ? FixAvailability::safe
-                                                                        : FixAvailability::unsafe});
+            draft.fixes.push_back(
+                {title, limits_are_constant(*a->bead) ? FixAvailability::safe : FixAvailability::unsafe});
         sink.add(std::move(draft));
     }
 }

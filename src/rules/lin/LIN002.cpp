@@ -69,8 +69,7 @@ void check(const RuleContext& context, FindingSink& sink) {
 std::optional<Fix> fix(const RuleContext& context, const Draft& draft, FixPlanner& planner) {
     const BeadAnalysis* a = analysed_bead(context, draft);
     if (!a || !a->check.scrambled) return planner.decline("the interface has no list of nodes");
-    Fix fix{
-        title, walk_is_safe(a->check, *a->bead) ? FixAvailability::safe : FixAvailability::unsafe, {}};
+    Fix fix{title, walk_is_safe(a->check, *a->bead) ? FixAvailability::safe : FixAvailability::unsafe, {}};
     fix.uncovers = {"LIN"}; // hops and turns of a wrong walk mean nothing
     if (!set_list(context, *a, whole_walk(a->check), planner, fix)) return std::nullopt;
     return fix;

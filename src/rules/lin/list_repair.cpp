@@ -81,8 +81,9 @@ std::string title_with(const std::string& title, const std::string& otherwise, s
 
 void add_moves(const BeadAnalysis& a, const std::vector<uint32_t>& order, Fix& fix) {
     uint64_t moved = a.group->nodes.size() - std::min(order.size(), a.group->nodes.size());
-    for (uint32_t k = 0; k < order.size(); ++k)
-        moved += a.group->nodes[order[k]] != a.group->nodes[k];
+    if (!std::is_sorted(order.begin(), order.end()))
+        for (uint32_t k = 0; k < order.size(); ++k)
+            moved += a.group->nodes[order[k]] != a.group->nodes[k];
     fix.changes.push_back({a.bead->id, 0, moved});
 }
 
@@ -278,10 +279,10 @@ bool set_list(const RuleContext& context, const BeadAnalysis& a, const std::vect
         std::vector<NodeRow> nodes;
         for (const uint32_t i : order)
             nodes.push_back(group.nodes[i]);
-        const int64_t own = add_ordered_group(
-            context, a, nodes,
-            group.title.empty() ? "nodes of " + bead_name(*a.bead) : group.title + ", along the bead",
-            planner);
+        const int64_t own = add_ordered_group(context, a, nodes,
+                                              group.title.empty() ? "nodes of " + bead_name(*a.bead)
+                                                                  : group.title + ", along the bead",
+                                              planner);
         if (own == 0 || !use_group(context, a, own, planner.cells())) return false;
     }
     add_moves(a, order, fix);
@@ -343,10 +344,10 @@ bool make_ordered(const RuleContext& context, const BeadAnalysis& a, const Sorte
         std::vector<NodeRow> nodes;
         for (const uint32_t i : sorted.order)
             nodes.push_back(group.nodes[i]);
-        const int64_t own = add_ordered_group(
-            context, a, nodes,
-            group.title.empty() ? "nodes of " + bead_name(*a.bead) : group.title + ", along the bead",
-            planner);
+        const int64_t own = add_ordered_group(context, a, nodes,
+                                              group.title.empty() ? "nodes of " + bead_name(*a.bead)
+                                                                  : group.title + ", along the bead",
+                                              planner);
         if (own == 0 || !use_group(context, a, own, planner.cells())) return false;
         add_moves(a, sorted.order, fix);
         return !planner.failed();
@@ -364,9 +365,9 @@ bool make_ordered(const RuleContext& context, const BeadAnalysis& a, const Sorte
         seen[known->second] = true;
         order[known->second] = i;
     }
-    planner.cells().replace({block.header.file, block.header.begin + at + 1,
-                             block.header.begin + at + 1 + type.size()},
-                            "NODENS");
+    planner.cells().replace(
+        {block.header.file, block.header.begin + at + 1, block.header.begin + at + 1 + type.size()},
+        "NODENS");
     rewrite_entries(context.deck, group, entries, order, planner);
     add_moves(a, sorted.order, fix);
     for (const BeadAnalysis* other : companions(context, a))
@@ -429,8 +430,7 @@ bool split_bead(const RuleContext& context, const BeadAnalysis& a,
             nodes.push_back(a.group->nodes[i]);
         return nodes;
     };
-    const std::string group_title =
-        a.group->title.empty() ? "nodes of " + bead_name(bead) : a.group->title;
+    const std::string group_title = a.group->title.empty() ? "nodes of " + bead_name(bead) : a.group->title;
     const auto write_limits = [&](const EndLimits& old, const EndLimits& now, CellEditor& editor) {
         const auto write = [&](std::size_t card, std::string_view field, double before, double after) {
             if (before == after) return;
@@ -465,8 +465,8 @@ bool split_bead(const RuleContext& context, const BeadAnalysis& a,
 
     std::vector<int64_t> new_ids;
     for (std::size_t p = 1; p < pieces.size(); ++p) {
-        const int64_t group = add_ordered_group(context, a, nodes_of(pieces[p]),
-                                                title_with(group_title, {}, p + 1), planner);
+        const int64_t group =
+            add_ordered_group(context, a, nodes_of(pieces[p]), title_with(group_title, {}, p + 1), planner);
         if (group == 0) return false;
         const int64_t id = planner.free_id(Family::interface, bead.block);
         if (id == 0) return false;
@@ -525,13 +525,13 @@ void append_entry(const Deck& deck, BlockIndex block, const Span& last_entry, ui
     if (free && commas < 9)
         return planner.cells().replace({last_entry.file, last_entry.end, last_entry.end}, "," + text);
     if (!free && cell < 10) return planner.cells().set_columns(line, cell * width + 1, width, text);
-    const std::string row = std::string(first_cell * width + width - std::min<std::size_t>(width, text.size()), ' ') + text;
+    const std::string row =
+        std::string(first_cell * width + width - std::min<std::size_t>(width, text.size()), ' ') + text;
     const SourceFile& file = deck.file(line.file);
     const uint64_t next = file.next_line(line.begin);
     const BlockEnd end = block_end(deck, block);
     const bool unended = next == file.bytes().size() && file.bytes().back() != '\n';
-    planner.cells().replace({line.file, next, next},
-                            unended ? end.line_end + row : row + end.line_end);
+    planner.cells().replace({line.file, next, next}, unended ? end.line_end + row : row + end.line_end);
 }
 
 bool is_interface_history(const Block& block) {

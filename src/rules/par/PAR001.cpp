@@ -22,6 +22,7 @@ void report(const RuleContext& context, const Drawbead& bead, const Cell& cell, 
         draft.notes.push_back("the restraint is up to " + force);
     measure_force(context, bead, "restraint", std::abs(value), draft);
     draft.help = "give the restraint as a positive force per length";
+    draft.fixes.push_back({positive_title, FixAvailability::unsafe});
     sink.add(std::move(draft));
 }
 
@@ -33,13 +34,18 @@ void check(const RuleContext& context, FindingSink& sink) {
     }
 }
 
+constexpr auto fix = write_positive;
+
 } // namespace
 
 extern const Rule PAR001{{.code = "PAR001",
                           .name = "negative-restraint",
                           .summary = "Ft is negative at an end of the bead",
-                          .severity = Severity::error},
+                          .severity = Severity::error,
+                          .fix = FixAvailability::unsafe},
                          Needs::coordinates,
-                         check};
+                         check,
+                         Needs::none,
+                         fix};
 
 } // namespace drawbead

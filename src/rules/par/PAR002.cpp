@@ -20,6 +20,7 @@ void report(const RuleContext& context, const Drawbead& bead, const Cell& cell, 
         draft.notes.push_back("the pull is up to " + force);
     measure_force(context, bead, "normal force", value, draft);
     draft.help = "give the normal force per length as a positive number";
+    draft.fixes.push_back({positive_title, FixAvailability::unsafe});
     sink.add(std::move(draft));
 }
 
@@ -31,13 +32,18 @@ void check(const RuleContext& context, FindingSink& sink) {
     }
 }
 
+constexpr auto fix = write_positive;
+
 } // namespace
 
 extern const Rule PAR002{{.code = "PAR002",
                           .name = "negative-normal-force",
                           .summary = "Fn is negative at an end of the bead",
-                          .severity = Severity::error},
+                          .severity = Severity::error,
+                          .fix = FixAvailability::unsafe},
                          Needs::coordinates,
-                         check};
+                         check,
+                         Needs::none,
+                         fix};
 
 } // namespace drawbead

@@ -25,8 +25,7 @@ void check(const RuleContext& context, FindingSink& sink) {
                          : "list the nodes in the order along the bead in a /GRNOD/NODENS";
         if (const BeadAnalysis* a = analysed_bead(context, draft))
             if (const SortedOrder sorted = order_of_sorted(*a); !sorted.order.empty())
-                draft.fixes.push_back(
-                    {title, sorted.safe ? FixAvailability::safe : FixAvailability::unsafe});
+                draft.fixes.push_back({title, sorted.safe ? FixAvailability::safe : FixAvailability::unsafe});
         sink.add(std::move(draft));
     }
 }

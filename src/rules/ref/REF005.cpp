@@ -1,9 +1,12 @@
+#include "rules/lin/list_repair.h"
 #include "rules/support.h"
 #include "rules/text.h"
 
 namespace drawbead {
 
 namespace {
+
+constexpr const char* title = "drop the entries of nodes that do not exist";
 
 void check(const RuleContext& context, FindingSink& sink) {
     for (const NodeGroup& group : context.model.groups()) {
@@ -32,8 +35,24 @@ void check(const RuleContext& context, FindingSink& sink) {
                 draft.interface_id = bead.id;
                 break;
             }
+        if (draft.interface_id && places.size() < group.listed.size())
+            draft.fixes.push_back({title, FixAvailability::unsafe});
         sink.add(std::move(draft));
     }
+}
+
+std::optional<Fix> fix(const RuleContext& context, const Draft& draft, FixPlanner& planner) {
+    const BeadAnalysis* a = analysed_bead(context, draft);
+    if (!a || !a->group) return planner.decline("no bead uses the list");
+    const NodeGroup& group = *a->group;
+    std::vector<const ListedNode*> dropped;
+    for (const ListedNode& node : group.listed)
+        if (node.row == no_node && node.written > 0) dropped.push_back(&node);
+    if (dropped.size() >= group.listed.size()) return planner.decline("no node of the list exists");
+    Fix fix{title, FixAvailability::unsafe, {{a->bead->id, 0, dropped.size()}}};
+    fix.uncovers = {"LIN"};
+    drop_entries(context.deck, group.block, group.listed, dropped, planner);
+    return fix;
 }
 
 } // namespace
@@ -41,8 +60,11 @@ void check(const RuleContext& context, FindingSink& sink) {
 extern const Rule REF005{{.code = "REF005",
                           .name = "node-undefined",
                           .summary = "the node group of a drawbead lists nodes that do not exist",
-                          .severity = Severity::error},
+                          .severity = Severity::error,
+                          .fix = FixAvailability::unsafe},
                          Needs::coordinates,
-                         check};
+                         check,
+                         needs_lines,
+                         fix};
 
 } // namespace drawbead

@@ -1,8 +1,14 @@
+#include "model/option_reader.h"
+#include "rules/lin/list_repair.h"
 #include "rules/support.h"
+
+#include <algorithm>
 
 namespace drawbead {
 
 namespace {
+
+constexpr const char* title = "remove the interface";
 
 void check(const RuleContext& context, FindingSink& sink) {
     for (const Drawbead& bead : context.model.drawbeads()) {
@@ -16,6 +22,7 @@ void check(const RuleContext& context, FindingSink& sink) {
             if (bead.cards[1].present) draft.primary = bead.cards[1].line;
             draft.message = "Fn and Ft of " + bead_name(bead) + " are 0: it does nothing";
             draft.help = "give forces per length, or remove the interface";
+            draft.fixes.push_back({title, FixAvailability::unsafe});
             sink.add(std::move(draft));
         }
         if (!bead.group) continue;
@@ -29,8 +36,54 @@ void check(const RuleContext& context, FindingSink& sink) {
         draft.message = "node group " + std::to_string(group.id) + " of " + bead_name(bead) +
                         " is empty: the bead has no nodes and does nothing";
         draft.help = "list the nodes along the bead, or remove the interface";
+        draft.fixes.push_back({title, FixAvailability::unsafe});
         sink.add(std::move(draft));
     }
+}
+
+/// Takes the header and the data of a block away; comments and includes among them stay.
+void remove_block(const Deck& deck, BlockIndex index, FixPlanner& planner) {
+    const Block& block = deck.blocks()[index];
+    planner.cells().delete_lines(block.header);
+    DataLines lines(deck, block);
+    std::vector<Span> data;
+    for (Span line; lines.next(line);)
+        data.push_back(line);
+    while (!data.empty() && trim(deck.text(data.back())).empty())
+        data.pop_back();
+    for (const Span& line : data)
+        planner.cells().delete_lines(line);
+}
+
+std::optional<Fix> fix(const RuleContext& context, const Draft& draft, FixPlanner& planner) {
+    const Deck& deck = context.deck;
+    const auto bead = std::find_if(context.model.drawbeads().begin(), context.model.drawbeads().end(),
+                                   [&](const Drawbead& b) { return b.id == draft.interface_id; });
+    if (bead == context.model.drawbeads().end()) return planner.decline("the interface is not known");
+    for (BlockIndex i = 0; i < deck.blocks().size(); ++i) {
+        const Block& block = deck.blocks()[i];
+        const int64_t offset = deck.scope(block.scope).offsets.general;
+        const auto is_its_id = [&](int64_t written) { return Deck::global_id(written, offset) == bead->id; };
+        if (is_option(block.keyword, "INTER/SUB")) {
+            IssueLog unreported;
+            OptionReader reader(deck, i, unreported);
+            Span line;
+            if (reader.line(line) &&
+                is_its_id(read_cell(deck, block.scope, line, 1, 10, Kind::integer).integer))
+                return planner.decline(header_name(block) + " is a part of the interface");
+        }
+        if (!is_interface_history(block)) continue;
+        const std::vector<ListedNode> ids = listed_interfaces(deck, i);
+        std::vector<const ListedNode*> dropped;
+        for (const ListedNode& id : ids)
+            if (is_its_id(id.written)) dropped.push_back(&id);
+        if (!dropped.empty() && dropped.size() == ids.size())
+            remove_block(deck, i, planner);
+        else
+            drop_entries(deck, i, ids, dropped, planner);
+    }
+    remove_block(deck, bead->block, planner);
+    return Fix{title, FixAvailability::unsafe, {{bead->id, 0, 0}}};
 }
 
 } // namespace
@@ -38,8 +91,11 @@ void check(const RuleContext& context, FindingSink& sink) {
 extern const Rule REF006{{.code = "REF006",
                           .name = "dead-interface",
                           .summary = "a drawbead has neither Fn nor Ft, or no nodes",
-                          .severity = Severity::warning},
+                          .severity = Severity::warning,
+                          .fix = FixAvailability::unsafe},
                          Needs::coordinates,
-                         check};
+                         check,
+                         Needs::none,
+                         fix};
 
 } // namespace drawbead

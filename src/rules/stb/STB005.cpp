@@ -30,10 +30,12 @@ void check(const RuleContext& context, FindingSink& sink) {
         draft.measured.push_back({"restraint", reached, unit_name(units, force_dimension)});
         draft.measured.push_back({"share of restraint", share, "%"});
         draft.help = "set Iform to 2, whose restraint does not depend on the speed";
-        draft.fixes.push_back({"Iform 2", FixAvailability::unsafe});
+        draft.fixes.push_back({iform_2_title, FixAvailability::unsafe});
         sink.add(std::move(draft));
     }
 }
+
+constexpr auto fix = write_iform_2;
 
 } // namespace
 
@@ -43,6 +45,8 @@ extern const Rule STB005{{.code = "STB005",
                           .severity = Severity::warning,
                           .fix = FixAvailability::unsafe},
                          needs_sides | needs_first_cycle | Needs::element_thickness,
-                         check};
+                         check,
+                         Needs::none,
+                         fix};
 
 } // namespace drawbead

@@ -15,10 +15,12 @@ void check(const RuleContext& context, FindingSink& sink) {
             "has none of its force, 100 % of its total";
         draft.related.push_back(context.deck.blocks()[context.model.admesh()->block].header);
         draft.help = "set Iform to 2, or Idt to 0";
-        draft.fixes.push_back({"Iform 2", FixAvailability::unsafe});
+        draft.fixes.push_back({iform_2_title, FixAvailability::unsafe});
         sink.add(std::move(draft));
     }
 }
+
+constexpr auto fix = write_iform_2;
 
 } // namespace
 
@@ -29,6 +31,8 @@ extern const Rule STB006{{.code = "STB006",
                           .fix = FixAvailability::unsafe,
                           .starter_message = 703},
                          Needs::none,
-                         check};
+                         check,
+                         Needs::none,
+                         fix};
 
 } // namespace drawbead

@@ -7,6 +7,23 @@ namespace {
 
 using Missing = CardLines::Missing;
 
+constexpr const char* blank_line = "a blank line in its place";
+constexpr const char* comment = "'#' before what is not read";
+constexpr const char* comment_shift = "'#' before the line that shifts the cards";
+
+/// Whether a blank line is all that is missing: what stood on the other cards only their author knows.
+bool blank_is_enough(Missing missing) {
+    return missing == Missing::title || missing == Missing::card_3 || missing == Missing::blank_card;
+}
+
+/// Lines after the last card that hold something.
+std::vector<Span> extra_lines(const Deck& deck, const CardLines& cards) {
+    std::vector<Span> extra;
+    for (std::size_t i = 4; i < cards.lines.size(); ++i)
+        if (!trim(deck.text(cards.lines[i])).empty()) extra.push_back(cards.lines[i]);
+    return extra;
+}
+
 void report_missing(const RuleContext& context, const Drawbead& bead, const CardLines& cards,
                     FindingSink& sink) {
     Draft draft = draft_at_header(context, bead);
@@ -61,6 +78,7 @@ void report_missing(const RuleContext& context, const Drawbead& bead, const Card
         draft.help = "add a blank line";
         break;
     }
+    if (blank_is_enough(cards.missing)) draft.fixes.push_back({blank_line, FixAvailability::safe});
     sink.add(std::move(draft));
 }
 
@@ -75,17 +93,17 @@ void report_extra(const RuleContext& context, const Drawbead& bead, const CardLi
                         " has a line too many above its first card: it is read as the first card, and "
                         "every card as the one after it";
         draft.help = "keep one title line, or write '#' before the line";
+        draft.fixes.push_back({comment_shift, FixAvailability::safe});
         sink.add(std::move(draft));
         return;
     }
-    std::vector<Span> extra;
-    for (std::size_t i = 4; i < cards.lines.size(); ++i)
-        if (!trim(context.deck.text(cards.lines[i])).empty()) extra.push_back(cards.lines[i]);
+    const std::vector<Span> extra = extra_lines(context.deck, cards);
     if (extra.empty()) return;
     set_places(draft, extra);
     draft.message = counted(extra.size(), "line") + " after the last card of " + bead_name(bead) +
                     (extra.size() == 1 ? " is" : " are") + " not read";
     draft.help = "remove " + std::string(extra.size() == 1 ? "it" : "them") + ", or write '#' before it";
+    draft.fixes.push_back({comment, FixAvailability::safe});
     sink.add(std::move(draft));
 }
 
@@ -97,14 +115,45 @@ void check(const RuleContext& context, FindingSink& sink) {
     }
 }
 
+std::optional<Fix> fix(const RuleContext& context, const Draft& draft, FixPlanner& planner) {
+    const Drawbead* bead = drawbead_of(context, draft);
+    if (!bead) return planner.decline("the interface is not known");
+    const Deck& deck = context.deck;
+    const CardLines cards = card_lines(deck, *bead);
+    const auto begin_of = [](const Span& line) { return Span{line.file, line.begin, line.begin}; };
+    Fix fix{blank_line, FixAvailability::safe, {{bead->id, 0, 0}}};
+    fix.uncovers = hidden_by_cards();
+    if (draft.discriminator == "extra") {
+        fix.title = cards.shifted ? comment_shift : comment;
+        if (cards.shifted) {
+            planner.cells().replace(begin_of(cards.lines[1]), "#");
+        } else {
+            for (const Span& line : extra_lines(deck, cards))
+                planner.cells().replace(begin_of(line), "#");
+        }
+        return fix;
+    }
+    if (!blank_is_enough(cards.missing))
+        return planner.decline("what stood on the missing card is not known");
+    const BlockEnd end = block_end(deck, bead->block);
+    if (cards.missing == Missing::title)
+        planner.cells().replace(begin_of(cards.lines[0]), end.line_end);
+    else
+        planner.add_after(bead->block, end.unended ? end.line_end + end.line_end : end.line_end);
+    return fix;
+}
+
 } // namespace
 
 extern const Rule SYN001{
     {.code = "SYN001",
      .name = "card-missing",
      .summary = "the title or a card of a drawbead is absent, or data follow its last card",
-     .severity = Severity::error},
+     .severity = Severity::error,
+     .fix = FixAvailability::sometimes_safe},
     Needs::none,
-    check};
+    check,
+    Needs::none,
+    fix};
 
 } // namespace drawbead

@@ -10,6 +10,19 @@ namespace {
 
 constexpr int first_layout_with_normal = 130, first_layout_with_last = 2022;
 
+constexpr const char* title = "the version on /BEGIN that reads them";
+constexpr int first_layout_with_units = 100; // on /BEGIN: below, more than the number has to change
+
+/// The /BEGIN whose version holds for a scope; nullptr where it cannot be raised.
+const Block* begin_of(const Deck& deck, const Scope& scope) {
+    const Block* begin = nullptr;
+    for (const Block& block : deck.blocks())
+        if (block.keyword == "BEGIN" && deck.scope(block.scope).version == scope.version &&
+            (block.header.file == scope.file || !begin))
+            begin = &block;
+    return scope.layout < first_layout_with_units ? nullptr : begin;
+}
+
 struct Dropped {
     std::string_view name;
     Cell cell;
@@ -107,8 +120,30 @@ void check(const RuleContext& context, FindingSink& sink) {
                                         ? first_layout_with_last
                                         : first_layout_with_normal) +
                      " or later, after a look at what it changes elsewhere; or take the values out";
+        if (begin_of(context.deck, scope)) draft.fixes.push_back({title, FixAvailability::unsafe});
         sink.add(std::move(draft));
     }
+}
+
+std::optional<Fix> fix(const RuleContext& context, const Draft& draft, FixPlanner& planner) {
+    const Drawbead* bead = drawbead_of(context, draft);
+    if (!bead || draft.severity == Severity::info) return planner.decline("with 0 nothing is lost");
+    const Deck& deck = context.deck;
+    const Scope& scope = scope_of(deck, *bead);
+    const Block* begin = begin_of(deck, scope);
+    if (!begin) return planner.decline("below version 100 the whole of /BEGIN would have to change");
+    DataLines lines(deck, *begin);
+    Span line;
+    if (!lines.next(line) || !lines.next(line)) return planner.decline("/BEGIN has no version");
+    const bool normal_alone = draft.message.find("_last") == std::string::npos;
+    const int version = normal_alone ? first_layout_with_normal : first_layout_with_last;
+    planner.cells().set_columns(line, 1, 10, std::to_string(version));
+    Fix fix{title, FixAvailability::unsafe, {}};
+    for (const Drawbead& other : context.model.drawbeads())
+        if (&scope_of(deck, other) == &scope || scope_of(deck, other).version == scope.version)
+            fix.changes.push_back({other.id, 0, 0});
+    fix.uncovers = hidden_by_cards(); // Iform of version 100 stands in other columns, for one
+    return fix;
 }
 
 } // namespace
@@ -117,8 +152,11 @@ extern const Rule SYN002{
     {.code = "SYN002",
      .name = "value-ignored-by-version",
      .summary = "Fn, DEPTH, Fn_last or Ft_last are given, but the version on /BEGIN has no such fields",
-     .severity = Severity::error},
+     .severity = Severity::error,
+     .fix = FixAvailability::unsafe},
     Needs::coordinates,
-    check};
+    check,
+    Needs::none,
+    fix};
 
 } // namespace drawbead

@@ -14,18 +14,24 @@ void check(const RuleContext& context, FindingSink& sink) {
                         ": the solver knows 1 (viscous) and 2 (incremental) only and computes no restraint";
         measure_force(context, bead, "restraint lost", bead.ft_first, draft);
         draft.notes.push_back("the solver does not check the value; the normal force is not defined either");
+        draft.fixes.push_back({iform_2_title, FixAvailability::unsafe});
         draft.help = "write 2, or leave the columns blank";
         sink.add(std::move(draft));
     }
 }
+
+constexpr auto fix = write_iform_2;
 
 } // namespace
 
 extern const Rule SYN006{{.code = "SYN006",
                           .name = "iform-unknown",
                           .summary = "Iform is not 0, 1 or 2, so that no restraint is computed",
-                          .severity = Severity::error},
+                          .severity = Severity::error,
+                          .fix = FixAvailability::unsafe},
                          Needs::coordinates,
-                         check};
+                         check,
+                         Needs::none,
+                         fix};
 
 } // namespace drawbead

@@ -12,6 +12,8 @@ bool ends_its_file(const Deck& deck, const Block& block) {
            deck.text(block.text).find("#enddata") == std::string_view::npos;
 }
 
+constexpr const char* title = "#enddata at the end of the file";
+
 void check(const RuleContext& context, FindingSink& sink) {
     const Deck& deck = context.deck;
     for (const Notice& notice : deck.notices()) {
@@ -42,8 +44,24 @@ void check(const RuleContext& context, FindingSink& sink) {
             "node group " + std::to_string(group.id) +
             " is the last block of an include without #enddata: some releases of the solver lose it";
         draft.help = "end the file with a line #enddata";
+        draft.fixes.push_back({title, FixAvailability::safe});
         sink.add(std::move(draft));
     }
+}
+
+std::optional<Fix> fix(const RuleContext& context, const Draft& draft, FixPlanner& planner) {
+    const Deck& deck = context.deck;
+    for (const NodeGroup& group : context.model.groups()) {
+        if (draft.discriminator != "group " + std::to_string(group.id)) continue;
+        const Block& block = deck.blocks()[group.block];
+        const std::string_view bytes = deck.file(block.text.file).bytes();
+        const std::string line_end = block_end(deck, group.block).line_end;
+        const bool ended = bytes.empty() || bytes.back() == '\n';
+        planner.cells().replace({block.text.file, bytes.size(), bytes.size()},
+                                ended ? "#enddata" + line_end : line_end + "#enddata");
+        return Fix{title, FixAvailability::safe, {}};
+    }
+    return planner.decline("what was meant is not known");
 }
 
 } // namespace
@@ -52,8 +70,11 @@ extern const Rule SYN011{
     {.code = "SYN011",
      .name = "include-without-enddata",
      .summary = "data around the beginning or end of an include that readers drop or may drop",
-     .severity = Severity::warning},
+     .severity = Severity::warning,
+     .fix = FixAvailability::sometimes_safe},
     Needs::none,
-    check};
+    check,
+    Needs::none,
+    fix};
 
 } // namespace drawbead

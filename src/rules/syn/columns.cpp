@@ -148,4 +148,99 @@ std::optional<ColumnFault> column_fault(std::string_view line, std::span<const u
     return std::nullopt;
 }
 
+namespace {
+
+bool is_value(std::string_view text) {
+    if (text.substr(0, 1) == "&" || text.substr(0, 2) == "-&") return true;
+    return is_number(text);
+}
+
+bool is_id(std::string_view text) {
+    if (text.substr(0, 1) == "&" || text.substr(0, 2) == "-&") return true;
+    if (text[0] == '-') text.remove_prefix(1);
+    return !text.empty() && std::all_of(text.begin(), text.end(), is_digit);
+}
+
+void put_right(std::string& line, uint32_t end, std::string_view text) {
+    if (line.size() < end) line.resize(end, ' ');
+    line.replace(end - text.size(), text.size(), text);
+}
+
+/// Tabs as an editor shows them.
+std::string without_tabs(std::string_view line) {
+    std::string text;
+    for (const char c : line)
+        if (c == '\t')
+            text.append(8 - text.size() % 8, ' ');
+        else
+            text += c;
+    text.erase(text.find_last_not_of(' ') + 1);
+    return text;
+}
+
+/// The cell of each token of a card: by their number when that is the number of fields, else the one that
+/// holds most of the token. Empty when two meet or one is torn.
+std::vector<std::size_t> cells_of_tokens(std::string_view line, const Tokens& tokens,
+                                         std::span<const uint32_t> ends, std::span<const uint32_t> read) {
+    std::vector<std::size_t> cells;
+    if (tokens.size() == read.size()) {
+        cells.assign(read.begin(), read.end());
+        return cells;
+    }
+    for (const Token& token : tokens) {
+        const std::size_t first = cell_of(ends, token.begin), last = cell_of(ends, token.end - 1);
+        if (last >= ends.size() || last > first + 1) return {};
+        std::size_t cell = first;
+        if (last != first) {
+            const uint32_t left = ends[first] - token.begin, right = token.end - ends[first];
+            if (left == right) return {};
+            cell = left > right ? first : last;
+        }
+        const bool is_read = std::find(read.begin(), read.end(), cell) != read.end();
+        if (!is_read && parse_real(text_of(line, token)).value != 0) return {};
+        if (!cells.empty() && cells.back() >= cell) return {};
+        cells.push_back(cell);
+    }
+    return cells;
+}
+
+} // namespace
+
+std::vector<std::string> fitted_line(std::string_view line, std::span<const uint32_t> ends, uint32_t width,
+                                     std::span<const uint32_t> read) {
+    const auto fault = column_fault(line, ends, width);
+    if (!fault) return {std::string(line)};
+    if (fault->kind == ColumnFault::Kind::decimal_comma || fault->kind == ColumnFault::Kind::tab) {
+        std::string text = without_tabs(line);
+        if (fault->kind == ColumnFault::Kind::decimal_comma) {
+            text = line;
+            std::replace(text.begin(), text.end(), ',', '.');
+        }
+        return column_fault(text, ends, width) ? std::vector<std::string>{} : std::vector{text};
+    }
+    const Tokens tokens(line);
+    if (tokens.size() >= 64) return {};
+    std::vector<std::string> lines(1);
+    if (read.empty()) {
+        for (std::size_t i = 0; i < tokens.size(); ++i) {
+            const std::string_view text = text_of(line, tokens[i]);
+            const std::size_t cell = i % ends.size();
+            if (!is_id(text) || text.size() > ends[cell] - first_of(ends, cell)) return {};
+            if (i > 0 && cell == 0) lines.emplace_back();
+            put_right(lines.back(), ends[cell], text);
+        }
+    } else {
+        const std::vector<std::size_t> cells = cells_of_tokens(line, tokens, ends, read);
+        if (cells.size() != tokens.size()) return {};
+        for (std::size_t i = 0; i < tokens.size(); ++i) {
+            const std::string_view text = text_of(line, tokens[i]);
+            if (!is_value(text) || text.size() > ends[cells[i]] - first_of(ends, cells[i])) return {};
+            put_right(lines.back(), ends[cells[i]], text);
+        }
+    }
+    for (const std::string& one : lines)
+        if (column_fault(one, ends, width)) return {};
+    return lines;
+}
+
 } // namespace drawbead

@@ -4,7 +4,9 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace drawbead {
 
@@ -30,5 +32,11 @@ inline constexpr uint32_t card_width = 100;
 /// `width`: columns that are read at all. Numbers that touch because a cell is full are as they should be.
 std::optional<ColumnFault> column_fault(std::string_view line, std::span<const uint32_t> ends,
                                         uint32_t width);
+
+/// The line with every number in columns of its own, which have no fault: one line, or more for a list that
+/// is too long for one. Empty where it is not clear which number belongs where. `read`: indices of the cells
+/// that hold something in this layout; empty for a list, in which the order alone counts.
+std::vector<std::string> fitted_line(std::string_view line, std::span<const uint32_t> ends, uint32_t width,
+                                     std::span<const uint32_t> read);
 
 } // namespace drawbead
