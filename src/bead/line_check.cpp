@@ -173,9 +173,19 @@ bool Places::followed_by_list() const {
     const uint32_t last = size() - 1;
     bool over_the_ends = false;
     std::vector<bool> on_tree(size(), false);
+    // Where the last place is that of the first, the tree may take either for the other.
+    const bool joined = last > 2 && distance(at_[0], at_[last]) <= limits_.coincident * step_;
     for (uint32_t e = 0; e < tree_.size(); ++e) {
         if (tree_[e].b - tree_[e].a == 1) on_tree[tree_[e].a] = true;
         if (cut_[e] || tree_[e].b - tree_[e].a == 1) continue;
+        if (joined && tree_[e].a == 0 && tree_[e].b + 1 == last) {
+            on_tree[last - 1] = true;
+            continue;
+        }
+        if (joined && tree_[e].a == 1 && tree_[e].b == last) {
+            on_tree[0] = true;
+            continue;
+        }
         if (tree_[e].a != 0 || tree_[e].b != last) return false;
         over_the_ends = true;
     }

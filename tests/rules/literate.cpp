@@ -1,6 +1,6 @@
 #include "literate.h"
 
-#include "rules/check.h"
+#include "rules/fix.h"
 
 #include <algorithm>
 #include <fstream>
@@ -129,7 +129,7 @@ std::map<std::string, std::string> options_of(const std::string& fence) {
     for (std::string word; in >> word;) {
         const std::size_t equal = word.find('=');
         if (equal == std::string::npos)
-            options["language"] = word;
+            options[options["language"].empty() ? "language" : word] = word;
         else
             options[word.substr(0, equal)] = word.substr(equal + 1);
     }
@@ -214,6 +214,10 @@ Document read_document(const std::string& path) {
                         whole ? file : completed(file, options["version"], codes_in(options["drop"]));
                     document.examples.push_back(std::move(example));
                 }
+            } else if (options["language"] == "diff" && !document.examples.empty()) {
+                document.examples.back().diff_begin = begin;
+                document.examples.back().diff_end = end;
+                document.examples.back().diff_unsafe = options.count("unsafe") != 0;
             } else if (options["language"] == "text" && !document.examples.empty()) {
                 document.examples.back().text_begin = begin;
                 document.examples.back().text_end = end;
@@ -224,14 +228,54 @@ Document read_document(const std::string& path) {
     return document;
 }
 
-DeckResult run(const Example& example, unsigned threads) {
-    MemoryReader reader;
-    for (const auto& [name, file] : example.files) {
-        std::string text;
+namespace {
+
+std::map<std::string, std::string> texts_of(const Example& example) {
+    std::map<std::string, std::string> texts;
+    for (const auto& [name, file] : example.files)
         for (const Line& line : file)
-            text += line.text + "\n";
+            texts[name] += line.text + "\n";
+    return texts;
+}
+
+MemoryReader reader_of(const std::map<std::string, std::string>& texts) {
+    MemoryReader reader;
+    for (const auto& [name, text] : texts)
         reader.add(name, text);
+    return reader;
+}
+
+} // namespace
+
+Repair repair(const Example& example, const std::string& code, bool unsafe) {
+    std::map<std::string, std::string> texts = texts_of(example);
+    FixOptions options;
+    options.selection.select = {code};
+    options.choices.unsafe = unsafe;
+    MemoryReader reader = reader_of(texts);
+    const FixOutcome outcome = run_fixes("deck.rad", reader, {}, options);
+    Repair repair;
+    for (const AppliedFix& fix : outcome.applied)
+        repair.applied.push_back(fix.title);
+    for (const DeclinedFix& fix : outcome.declined)
+        repair.declined.push_back(fix.why);
+    for (const FixedFile& file : outcome.files) {
+        for (const std::string& line : split(unified_diff(file.path, file.original, file.edits), '\n')) {
+            if (line.rfind("--- ", 0) == 0 || line.rfind("+++ ", 0) == 0) continue;
+            repair.diff.push_back(line.rfind("@@", 0) == 0 ? "@@" : line);
+        }
+        texts[file.path] = std::string(file.text);
     }
+    MemoryReader fixed = reader_of(texts);
+    const FixOutcome again = run_fixes("deck.rad", fixed, {}, options);
+    repair.settled =
+        !again.changed() && std::none_of(again.before.findings.begin(), again.before.findings.end(),
+                                         [&](const Finding& f) { return f.code == code; });
+    return repair;
+}
+
+DeckResult run(const Example& example, unsigned threads) {
+    MemoryReader reader = reader_of(texts_of(example));
     CheckOptions options;
     options.threads = threads;
     return check_deck("deck.rad", reader, {}, options);

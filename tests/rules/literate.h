@@ -6,6 +6,7 @@
 //                               /BEGIN, else blocks that replace or join those of the frame (frames/bead.rad)
 //   ```radioss file=NAME        another file of the next deck
 //   ```text                     the exact text of what the page's rule says of the deck before it
+//   ```diff [unsafe]            what the page's rule repairs in that deck, in hunks without their places
 //
 // `# expect: CODE, CODE` at the end of a line says that exactly these rules find something on the line; it
 // and the blanks before it are taken away before the deck is read. `expect=` says it of lines that only the
@@ -37,7 +38,9 @@ struct Example {
     std::map<std::string, File> files; ///< with "deck.rad" the main one
     std::set<std::string> expected_in_frame;
     std::optional<std::size_t> text_begin,
-        text_end;        ///< lines of the page inside the ```text fence: [begin, end)
+        text_end; ///< lines of the page inside the ```text fence: [begin, end)
+    std::optional<std::size_t> diff_begin, diff_end; ///< the same of the ```diff fence
+    bool diff_unsafe = false;
     std::size_t end = 0; ///< the line of the page after the closing fence of the deck
 
     bool expects(const std::string& code) const;
@@ -62,6 +65,14 @@ std::vector<std::string> differences(const Example&, const DeckResult&);
 /// What the rule `code` says of the example, one line per finding, its notes and help below, line numbers of
 /// the fence.
 std::vector<std::string> text_of(const Example&, const DeckResult&, const std::string& code);
+
+/// What `fix` does with the example when only the rule `code` is selected.
+struct Repair {
+    std::vector<std::string> diff;              ///< lines
+    std::vector<std::string> applied, declined; ///< titles, reasons
+    bool settled = false; ///< the rule is silent afterwards, and a second run has nothing to do
+};
+Repair repair(const Example&, const std::string& code, bool unsafe);
 
 std::string text_of_file(const std::string& path);
 

@@ -1,4 +1,5 @@
-// Runs every deck of the rules' pages and of cases/*.md. DRAWBEAD_UPDATE=1 rewrites the ```text fences.
+// Runs every deck of the rules' pages and of cases/*.md. DRAWBEAD_UPDATE=1 rewrites the ```text and ```diff
+// fences.
 #include "literate.h"
 #include "rules/rule.h"
 
@@ -8,6 +9,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <map>
 
 using namespace drawbead;
 using literate::Document;
@@ -33,6 +35,44 @@ std::string joined(const std::vector<std::string>& lines) {
     for (const std::string& line : lines)
         text += line + "\n";
     return text;
+}
+
+bool has_fix(const std::string& code) {
+    const Rule* rule = find_rule(code);
+    return rule != nullptr && rule->fix != nullptr;
+}
+
+/// Writes the present repairs into the page, and one below the first example of a page that has none. From
+/// the end, so that line numbers stay true.
+void update_diffs(const Document& document) {
+    std::vector<std::string> lines = document.lines;
+    const bool none = std::none_of(document.examples.begin(), document.examples.end(),
+                                   [](const Example& e) { return e.diff_begin.has_value(); });
+    const auto at = [&](std::size_t n) { return lines.begin() + static_cast<std::ptrdiff_t>(n); };
+    std::optional<std::size_t> first;
+    for (std::size_t i = 0; none && has_fix(document.code) && !first && i < document.examples.size(); ++i)
+        if (!literate::repair(document.examples[i], document.code, true).diff.empty()) first = i;
+    for (std::size_t i = document.examples.size(); i-- > 0;) {
+        const Example& example = document.examples[i];
+        bool is_unsafe = example.diff_unsafe;
+        if (!example.diff_begin && first != i) continue;
+        std::vector<std::string> diff = literate::repair(example, document.code, is_unsafe).diff;
+        if (example.diff_begin) {
+            lines.erase(at(*example.diff_begin), at(*example.diff_end));
+            lines.insert(at(*example.diff_begin), diff.begin(), diff.end());
+            continue;
+        }
+        is_unsafe = diff.empty();
+        if (is_unsafe) diff = literate::repair(example, document.code, true).diff;
+        diff.insert(diff.begin(), {std::string(is_unsafe ? "With `--unsafe`" : "The repair") + ":",
+                                   is_unsafe ? "```diff unsafe" : "```diff"});
+        diff.push_back("```");
+        const std::size_t below = example.text_end ? *example.text_end + 1 : example.end;
+        lines.insert(at(below), diff.begin(), diff.end());
+    }
+    if (lines == document.lines) return;
+    std::ofstream out(document.path, std::ios::binary);
+    out << joined(lines);
 }
 
 /// Writes the present texts into the page, and one below the first firing example of a page that has none.
@@ -77,8 +117,19 @@ void run_all(const std::string& folder) {
                     document.lines.begin() + static_cast<std::ptrdiff_t>(*example.text_end));
                 CHECK(joined(text) == joined(literate::text_of(example, result, document.code)));
             }
+            if (example.diff_begin && !updating()) {
+                const std::vector<std::string> diff(
+                    document.lines.begin() + static_cast<std::ptrdiff_t>(*example.diff_begin),
+                    document.lines.begin() + static_cast<std::ptrdiff_t>(*example.diff_end));
+                const literate::Repair repair = literate::repair(example, document.code, example.diff_unsafe);
+                CHECK(joined(diff) == joined(repair.diff));
+                CHECK(repair.settled);
+            }
         }
-        if (updating()) update(document);
+        if (updating()) {
+            update(document);
+            update_diffs(literate::read_document(path));
+        }
     }
 }
 
@@ -90,6 +141,41 @@ TEST_CASE("the decks of the rules' pages give the findings that they promise") {
 
 TEST_CASE("the decks of the cases give the findings that they promise") {
     run_all(DRAWBEAD_TESTS_DIR "/rules/cases");
+}
+
+// What a finding offers is made, unless the same run takes its reason away; what it does not offer is not
+// tried in vain.
+TEST_CASE("every repair that a finding of the pages and cases offers holds, and leaves nothing to do") {
+    for (const char* folder : {DRAWBEAD_RULES_DIR, DRAWBEAD_TESTS_DIR "/rules/cases"})
+        for (const std::string& path : markdown_below(folder)) {
+            const Document document = literate::read_document(path);
+            for (const Example& example : document.examples) {
+                std::map<std::string, std::pair<std::size_t, bool>> offers; // by code: how many, any unsafe
+                std::map<std::string, std::size_t> findings;
+                for (const Finding& f : literate::run(example).findings) {
+                    ++findings[f.code];
+                    for (const FixOffer& offer : f.fixes) {
+                        auto& [count, is_unsafe] = offers[f.code];
+                        ++count;
+                        is_unsafe = is_unsafe || offer.applicability == FixAvailability::unsafe;
+                    }
+                }
+                for (const auto& [code, offer] : offers) {
+                    if (!has_fix(code)) continue;
+                    INFO(path << ", the deck at line " << example.page_line << ": " << code);
+                    const literate::Repair repair = literate::repair(example, code, true);
+                    INFO(joined(repair.declined));
+                    CHECK(!repair.applied.empty());
+                    CHECK(!repair.diff.empty());
+                    if (offer.first == findings[code]) CHECK(repair.settled);
+                    const literate::Repair safe = literate::repair(example, code, false);
+                    if (offer.second)
+                        CHECK(safe.applied.size() < std::max<std::size_t>(1, repair.applied.size()));
+                    else
+                        CHECK(safe.diff == repair.diff);
+                }
+            }
+        }
 }
 
 TEST_CASE("every page has its headings, one example that fires and one that does not, and the text") {
@@ -112,6 +198,9 @@ TEST_CASE("every page has its headings, one example that fires and one that does
         }
         CHECK(firing > 0);
         CHECK(clean > 0);
+        if (rule.fix && !updating())
+            CHECK(std::any_of(document.examples.begin(), document.examples.end(),
+                              [](const Example& e) { return e.diff_begin.has_value(); }));
         if (!updating()) CHECK(texts > 0);
     }
 }

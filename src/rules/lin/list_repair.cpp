@@ -191,7 +191,7 @@ bool limits_are_constant(const Drawbead& bead) {
 }
 
 double never_zero(double value, double other) {
-    return value == 0 ? 1e-6 * other : value;
+    return value == 0 ? other / 1e6 : value;
 }
 
 std::vector<uint32_t> whole_walk(const LineCheck& check) {
@@ -512,6 +512,21 @@ void drop_entries(const Deck& deck, BlockIndex block, const std::vector<ListedNo
             planner.cells().set_columns(line, cell * width + 1, width, "");
         }
     }
+}
+
+void drop_listed(const Deck& deck, const NodeGroup& group, const std::vector<const ListedNode*>& dropped,
+                 FixPlanner& planner) {
+    if (group.type != "SET" || group.nodens_clauses.size() > 1)
+        return drop_entries(deck, group.block, group.listed, dropped, planner);
+    // A blank cell in a clause may count as a zero: those behind move up.
+    std::vector<const ListedNode*> entries;
+    std::vector<uint32_t> kept;
+    for (const ListedNode& entry : group.listed) {
+        if (std::find(dropped.begin(), dropped.end(), &entry) == dropped.end())
+            kept.push_back(static_cast<uint32_t>(entries.size()));
+        entries.push_back(&entry);
+    }
+    rewrite_entries(deck, group, entries, kept, planner);
 }
 
 void append_entry(const Deck& deck, BlockIndex block, const Span& last_entry, uint32_t first_cell,

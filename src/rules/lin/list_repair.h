@@ -70,6 +70,8 @@ double never_zero(double value, double other);
 /// Takes entries out of a list; lines that have nothing else go, too. `all`: the entries of the list.
 void drop_entries(const Deck&, BlockIndex, const std::vector<ListedNode>& all,
                   const std::vector<const ListedNode*>& dropped, FixPlanner&);
+/// The same for the list of a node group; `dropped` points into its entries.
+void drop_listed(const Deck&, const NodeGroup&, const std::vector<const ListedNode*>& dropped, FixPlanner&);
 /// Puts an id behind the last of a list of ids in columns; `first_cell`: 1 in a clause of a set.
 void append_entry(const Deck&, BlockIndex, const Span& last_entry, uint32_t first_cell, int64_t written,
                   FixPlanner&);

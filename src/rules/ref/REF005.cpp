@@ -51,7 +51,7 @@ std::optional<Fix> fix(const RuleContext& context, const Draft& draft, FixPlanne
     if (dropped.size() >= group.listed.size()) return planner.decline("no node of the list exists");
     Fix fix{title, FixAvailability::unsafe, {{a->bead->id, 0, dropped.size()}}};
     fix.uncovers = {"LIN"};
-    drop_entries(context.deck, group.block, group.listed, dropped, planner);
+    drop_listed(context.deck, group, dropped, planner);
     return fix;
 }
 

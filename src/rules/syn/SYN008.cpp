@@ -35,7 +35,7 @@ std::optional<Fix> fix(const RuleContext& context, const Draft& draft, FixPlanne
         std::vector<const ListedNode*> zeros;
         for (const ListedNode& node : group.listed)
             if (is_zero(context, node)) zeros.push_back(&node);
-        drop_entries(context.deck, group.block, group.listed, zeros, planner);
+        drop_listed(context.deck, group, zeros, planner);
     }
     return Fix{title, FixAvailability::safe, {}};
 }
