@@ -9,7 +9,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <map>
 
 using namespace drawbead;
 using literate::Document;
@@ -141,41 +140,6 @@ TEST_CASE("the decks of the rules' pages give the findings that they promise") {
 
 TEST_CASE("the decks of the cases give the findings that they promise") {
     run_all(DRAWBEAD_TESTS_DIR "/rules/cases");
-}
-
-// What a finding offers is made, unless the same run takes its reason away; what it does not offer is not
-// tried in vain.
-TEST_CASE("every repair that a finding of the pages and cases offers holds, and leaves nothing to do") {
-    for (const char* folder : {DRAWBEAD_RULES_DIR, DRAWBEAD_TESTS_DIR "/rules/cases"})
-        for (const std::string& path : markdown_below(folder)) {
-            const Document document = literate::read_document(path);
-            for (const Example& example : document.examples) {
-                std::map<std::string, std::pair<std::size_t, bool>> offers; // by code: how many, any unsafe
-                std::map<std::string, std::size_t> findings;
-                for (const Finding& f : literate::run(example).findings) {
-                    ++findings[f.code];
-                    for (const FixOffer& offer : f.fixes) {
-                        auto& [count, is_unsafe] = offers[f.code];
-                        ++count;
-                        is_unsafe = is_unsafe || offer.applicability == FixAvailability::unsafe;
-                    }
-                }
-                for (const auto& [code, offer] : offers) {
-                    if (!has_fix(code)) continue;
-                    INFO(path << ", the deck at line " << example.page_line << ": " << code);
-                    const literate::Repair repair = literate::repair(example, code, true);
-                    INFO(joined(repair.declined));
-                    CHECK(!repair.applied.empty());
-                    CHECK(!repair.diff.empty());
-                    if (offer.first == findings[code]) CHECK(repair.settled);
-                    const literate::Repair safe = literate::repair(example, code, false);
-                    if (offer.second)
-                        CHECK(safe.applied.size() < std::max<std::size_t>(1, repair.applied.size()));
-                    else
-                        CHECK(safe.diff == repair.diff);
-                }
-            }
-        }
 }
 
 TEST_CASE("every page has its headings, one example that fires and one that does not, and the text") {
