@@ -11,6 +11,14 @@ namespace {
 
 constexpr const char* title = "one interface and group per side";
 
+/// Whether there are sides between the corners. Corners at neighbouring nodes are a curve with too few nodes.
+bool has_sides(const BeadAnalysis& a) {
+    const std::vector<std::vector<uint32_t>> sides = cut_at_nodes(a, a.check.corners);
+    return !a.check.loop_open &&
+           std::all_of(sides.begin(), sides.end(),
+                       [](const std::vector<uint32_t>& side) { return side.size() > 2; });
+}
+
 void check(const RuleContext& context, FindingSink& sink) {
     for (const BeadAnalysis* a : beads_with_order(context)) {
         const std::vector<LineTurn>& corners = a->check.corners;
@@ -41,7 +49,7 @@ void check(const RuleContext& context, FindingSink& sink) {
             {"lost length", lost, unit_name(context.deck.work_units(), length_dimension)});
         measure_cost(context, *a, fn, ft, draft);
         draft.help = "round the corner with more nodes, or split the bead there";
-        if (!a->check.loop_open) draft.fixes.push_back({title, FixAvailability::unsafe});
+        if (has_sides(*a)) draft.fixes.push_back({title, FixAvailability::unsafe});
         sink.add(std::move(draft));
     }
 }
@@ -50,6 +58,8 @@ std::optional<Fix> fix(const RuleContext& context, const Draft& draft, FixPlanne
     const BeadAnalysis* a = analysed_bead(context, draft);
     if (!a) return planner.decline("the interface has no list of nodes");
     if (a->check.loop_open) return planner.decline("the loop has to be closed first");
+    if (!has_sides(*a))
+        return planner.decline("corners at neighbouring nodes are a curve that needs more nodes");
     const std::vector<std::vector<uint32_t>> sides = cut_at_nodes(*a, a->check.corners);
     Fix fix{title, FixAvailability::unsafe, {}};
     fix.uncovers = {"LIN"};
