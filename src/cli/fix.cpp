@@ -46,6 +46,16 @@ Result<std::vector<std::pair<const SourceFile*, std::string>>> places_in(const f
     return places;
 }
 
+/// With -o the files of the deck stay as they are.
+Result<void> spare_the_deck(const std::string& target, const Deck& deck) {
+    std::error_code failure;
+    for (const auto& file : deck.files())
+        if (fs::equivalent(target, file->path(), failure))
+            return Error{"-o would write over a file of the deck", target, 0, 0,
+                         "give -o another place, or use --in-place"};
+    return {};
+}
+
 Result<void> write_to(const std::string& target, const FixOutcome& outcome, FixReport& report) {
     std::error_code failure;
     const Deck& deck = *outcome.result->deck;
@@ -54,12 +64,15 @@ Result<void> write_to(const std::string& target, const FixOutcome& outcome, FixR
         if (outcome.files.size() > 1 || first.path != deck.files().front()->path())
             return Error{"the repair changes included files, too", first.path, 0, 0,
                          "give -o a folder, or use --in-place or --diff"};
+        if (auto spared = spare_the_deck(target, deck); !spared) return spared;
         if (auto written = write_file(target, main_text(outcome), deck.path()); !written) return written;
         report.written.push_back(target);
         return {};
     }
     const auto places = places_in(target, deck);
     if (!places) return places.error();
+    for (const auto& place : *places)
+        if (auto spared = spare_the_deck(place.second, deck); !spared) return spared;
     for (const auto& [file, path] : *places) {
         fs::create_directories(fs::path(path).parent_path(), failure);
         if (auto written = write_file(path, file->bytes(), file->path()); !written) return written;

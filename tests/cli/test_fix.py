@@ -134,6 +134,14 @@ class Fix(CommandLineTest):
         self.assertNotEqual(mesh.read_bytes(), include)
         self.assertNotIn("SRF001", self.findings(deck))
 
+    def test_o_never_writes_over_the_deck(self):
+        (self.folder / "link.rad").symlink_to(self.deck.name)
+        for target in (self.deck, self.folder, self.folder / "link.rad"):
+            status, _, err = self.run_tool("fix", self.deck, "-o", target)
+            self.assertEqual(status, 2)
+            self.assertIn("-o would write over a file of the deck; give -o another place, or use --in-place", err)
+        self.assertEqual(self.deck.read_bytes(), deck_of("half"))
+
     def test_select_and_ignore(self):
         _, out, _ = self.run_tool("fix", self.deck, "--ignore", "SRF")
         self.assertIn("nothing repaired; 2 errors", out)
