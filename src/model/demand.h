@@ -17,6 +17,9 @@ public:
     /// A surface or set whose segments are wanted; `stiffness` means the elements behind SEG lines too.
     void add_surface(BlockIndex, bool stiffness);
 
+    /// One reference whose nodes are wanted.
+    void add_member(const Member& member) { add_referenced(member, true); }
+
     bool all() const { return all_; }
     bool solids() const { return solids_; }
     bool ids() const { return ids_; }

@@ -3,10 +3,12 @@
 // threads.
 #include "base/result.h"
 #include "model/entities.h"
+#include "model/motion.h"
 #include "model/tables.h"
 
 #include <cstdint>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -22,6 +24,7 @@ enum class Needs : uint32_t {
     element_thickness = 16, ///< thickness on element cards
     surface_users = 32,     ///< who else uses a surface or group
     attachments = 64,       ///< what holds the bead nodes
+    motion = 128,           ///< what moves the nodes of drawbeads and of their main surfaces
 };
 constexpr Needs operator|(Needs a, Needs b) {
     return Needs(uint32_t(a) | uint32_t(b));
@@ -64,6 +67,8 @@ class Model {
 public:
     /// Reads what `needs` asks for. The deck must outlive the model.
     static Model build(const Deck&, Needs needs, unsigned threads);
+    /// With Needs::motion: what `targets` name moves instead of what the deck moves.
+    static Model build(const Deck&, Needs needs, unsigned threads, std::span<const MotionTarget> targets);
 
     const Deck& deck() const { return *deck_; }
     const Counts& counts() const { return counts_; }
@@ -90,6 +95,9 @@ public:
 
     /// What holds the node; empty unless Needs::attachments, and only for nodes of drawbead groups.
     std::vector<Attachment> attachments(NodeRow) const;
+
+    /// What the deck prescribes of the motion of nodes; empty unless Needs::motion.
+    const DeckMotion& motion() const { return motion_; }
 
     /// The element behind a segment: its user id, part, property and material (nullptr where there is none).
     ElementId element_id(const Segment&) const;
@@ -120,6 +128,7 @@ private:
     std::optional<Admesh> admesh_;
     int64_t ipri_ = 0;
     std::map<uint32_t, std::vector<Attachment>> attachments_; ///< by node row
+    DeckMotion motion_;
     std::vector<ReadIssue> issues_;
 };
 

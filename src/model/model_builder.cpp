@@ -2,6 +2,7 @@
 #include "model/cards/options.h"
 #include "model/demand.h"
 #include "model/drawbead_reader.h"
+#include "model/motion_reader.h"
 #include "model/option_reader.h"
 #include "model/part_reader.h"
 #include "model/transform.h"
@@ -13,8 +14,9 @@ namespace drawbead {
 /// refers to table rows.
 class ModelBuilder {
 public:
-    ModelBuilder(const Deck& deck, Needs needs, unsigned threads)
-        : deck_(deck), needs_(needs), threads_(threads), index_(deck, issues_) {
+    ModelBuilder(const Deck& deck, Needs needs, unsigned threads,
+                 std::optional<std::span<const MotionTarget>> targets)
+        : deck_(deck), needs_(needs), threads_(threads), targets_(targets), index_(deck, issues_) {
         model_.deck_ = &deck;
     }
 
@@ -63,6 +65,9 @@ private:
         if (with_nodes()) transforms_ = read_transforms(deck_, issues_);
         if (has(needs_, Needs::attachments) && !model_.drawbeads_.empty())
             holders_ = read_holders(deck_, index_, issues_);
+        if (with_motion())
+            motion_ = targets_ ? target_options(index_, *targets_, model_.drawbeads_)
+                               : read_motion_options(deck_, index_, issues_);
     }
 
     /// Groups and surfaces that drawbeads use, each once, in the order in which they are first used.
@@ -90,6 +95,10 @@ private:
         return with_nodes() && (has(needs_, Needs::blank_elements) || has(needs_, Needs::element_thickness));
     }
 
+    bool with_motion() const {
+        return has(needs_, Needs::motion) && with_elements() && !model_.drawbeads_.empty();
+    }
+
     TableRequest request(const PartPicker& picker) const {
         TableRequest request;
         request.counts = has(needs_, Needs::counts);
@@ -102,6 +111,10 @@ private:
                 if (const auto group = find_node_group(index_, transform.group)) demand.add_group(*group);
             for (const Holder& holder : holders_)
                 if (holder.group) demand.add_group(*holder.group);
+            for (const GroupCondition& one : motion_.conditions) {
+                if (one.group) demand.add_group(*one.group);
+                if (one.member) demand.add_member(*one.member);
+            }
         }
         if (with_elements())
             for (const Option& surface : surface_ids_)
@@ -154,6 +167,18 @@ private:
             turn_faces_outward(tables, surface);
             note_blanks(contents[i], tables, surface);
             contents[i] = {};
+        }
+        if (with_motion()) {
+            NodeSet nodes(tables.nodes.size());
+            for (const NodeGroup& group : model_.groups_)
+                for (const NodeRow node : group.nodes)
+                    nodes.insert(node);
+            for (const Surface& surface : model_.surfaces_)
+                for (const Segment& segment : surface.segments)
+                    for (const NodeRow node : segment.n)
+                        if (node != no_node) nodes.insert(node);
+            model_.motion_ = find_motion(std::move(motion_), resolver, nodes, tables.nodes.size(),
+                                         model_.groups_, model_.surfaces_);
         }
         if (has(needs_, Needs::surface_users)) find_users(deck_, index_, model_.groups_, model_.surfaces_);
     }
@@ -249,17 +274,23 @@ private:
     const Deck& deck_;
     Needs needs_;
     unsigned threads_;
+    std::optional<std::span<const MotionTarget>> targets_;
     IssueLog issues_;
     OptionIndex index_;
     Model model_;
     std::vector<Option> group_ids_, surface_ids_;
     std::vector<Transform> transforms_;
     std::vector<Holder> holders_;
+    MotionOptions motion_;
     std::set<PartId> blanks_;
 };
 
 Model Model::build(const Deck& deck, Needs needs, unsigned threads) {
-    return ModelBuilder(deck, needs, threads).build();
+    return ModelBuilder(deck, needs, threads, {}).build();
+}
+
+Model Model::build(const Deck& deck, Needs needs, unsigned threads, std::span<const MotionTarget> targets) {
+    return ModelBuilder(deck, needs, threads, targets).build();
 }
 
 } // namespace drawbead

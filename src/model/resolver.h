@@ -72,6 +72,11 @@ public:
     /// cannot be expanded, which is reported.
     bool nodes(BlockIndex group, NodeSet& set, const NodeSet* only = nullptr);
 
+    /// Likewise the nodes of one reference.
+    bool member_nodes(const Member& member, NodeSet& set, const NodeSet* only = nullptr) {
+        return add_member_nodes(member, set, only);
+    }
+
     SurfaceContent surface(BlockIndex);
     std::vector<SurfaceSource> sources(BlockIndex);
 
