@@ -1,76 +1,14 @@
 #include "cli/audit_deck.h"
 
-#include "geometry/segment_shape.h"
 #include "scene/main_surface.h"
+#include "scene/nodal_mass.h"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
-#include <numbers>
 
 namespace drawbead {
 
 namespace {
-
-double thickness(const Model& model, const Segment& segment) {
-    if (segment.kind != ElementKind::shell4 && segment.kind != ElementKind::shell3) return 0;
-    if (const double own = model.own_thickness(segment); own > 0) return own;
-    const Property* property = model.property_of(segment);
-    return property ? property->thickness : 0;
-}
-
-/// Masses of all nodes as the solver gives shells and bricks theirs (observed on solver runs); NaN where the
-/// tool does not know an element's share. Other things may add mass, so these are a pattern and no law.
-std::vector<double> nodal_masses(const Model& model) {
-    std::vector<double> mass(model.nodes().size(), 0.0);
-    const double unknown = std::numeric_limits<double>::quiet_NaN();
-    const auto density = [&](const Part* part) {
-        const Material* material = part ? model.material(part->material) : nullptr;
-        return material && material->density > 0 ? material->density : unknown;
-    };
-    const auto add = [&](NodeRow row, double share) {
-        if (row != no_node) mass[index(row)] += share;
-    };
-    for (const ShellTable* shells : {&model.shells4(), &model.shells3()}) {
-        const bool triangles = shells == &model.shells3();
-        for (uint32_t i = 0; i < shells->nodes.size(); ++i) {
-            const auto& n = shells->nodes[i];
-            if (std::find(n.begin(), n.end(), no_node) != n.end()) continue;
-            Corners x;
-            for (std::size_t k = 0; k < 4; ++k)
-                x[k] = model.nodes()[n[k]];
-            const Part* part = model.part(shells->part(i));
-            const Property* property = part ? model.property(part->property) : nullptr;
-            double t = shells->own_thickness(i);
-            if (t == 0) t = property && property->has_thickness ? property->thickness : unknown;
-            const double whole = density(part) * t * area(x);
-            for (std::size_t k = 0; k < (triangles ? 3 : 4); ++k) {
-                if (!triangles) {
-                    add(n[k], 0.25 * whole);
-                    continue;
-                }
-                const Vec3 a = x[(k + 1) % 3] - x[k], b = x[(k + 2) % 3] - x[k];
-                add(n[k], whole * std::atan2(norm(cross(a, b)), dot(a, b)) / std::numbers::pi);
-            }
-        }
-    }
-    for (uint32_t i = 0; i < model.solids().nodes.size(); ++i) {
-        const auto& n = model.solids().nodes[i];
-        const bool brick =
-            model.solids().kind[i] == SolidKind::brick && std::find(n.begin(), n.end(), no_node) == n.end();
-        double share = unknown;
-        if (brick) {
-            std::array<Vec3, 8> x;
-            for (std::size_t k = 0; k < 8; ++k)
-                x[k] = model.nodes()[n[k]];
-            share = density(model.part(model.solids().part(i))) * one_point_volume(x) / 8;
-        }
-        for (const NodeRow row : n)
-            add(row, share);
-    }
-    return mass;
-}
 
 /// What the solver counts as an interface: sub-interfaces are for output.
 bool is_interface(std::string_view keyword) {
@@ -85,7 +23,7 @@ AuditSurface audit_surface(const Model& model, const Surface& surface, const std
     const bool known = stiffness.doubts().empty();
     for (const uint32_t segment : out.mesh.segment_index) {
         out.segment.push_back(known ? std::optional(stiffness(segment)) : std::nullopt);
-        out.thickness.push_back(thickness(model, surface.segments[segment]));
+        out.thickness.push_back(segment_thickness(model, surface.segments[segment]));
     }
     for (const uint32_t row : out.mesh.node_row)
         out.mass.push_back(std::isfinite(mass[row]) ? mass[row] : 0);

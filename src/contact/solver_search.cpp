@@ -22,9 +22,12 @@ double squared_distance(Vec3 a, Vec3 b) {
     return squared_norm(b - a);
 }
 
-/// Does x lie in the corner of segment S at the node `nearest`, and how well: the smallest of the three
-/// barycentric coordinates in the triangle of the node and its two neighbours in S.
-double corner_test(const SegmentNodes& s, uint32_t nearest, std::span<const Vec3> x, Vec3 bead) {
+/// The corner of segment S at the node `nearest`: the edges to its two neighbours in S, and their product.
+struct Corner {
+    Vec3 at, u, v, n;
+};
+
+Corner corner_of(const SegmentNodes& s, uint32_t nearest, std::span<const Vec3> x) {
     static constexpr std::array<std::size_t, 4> next{1, 2, 3, 0}, previous{3, 0, 1, 2};
     std::size_t p = 0;
     while (p < 3 && s[p] != nearest)
@@ -32,8 +35,14 @@ double corner_test(const SegmentNodes& s, uint32_t nearest, std::span<const Vec3
     const Vec3 at = x[nearest];
     const Vec3 u = x[is_triangle(s) && p == 2 ? s[0] : s[next[p]]] - at;
     const Vec3 v = x[s[previous[p]]] - at;
+    return {at, u, v, cross(u, v)};
+}
+
+/// Does x lie in that corner, and how well: the smallest of the three barycentric coordinates in the triangle
+/// of the node and its neighbours.
+double corner_test(const SegmentNodes& s, uint32_t nearest, std::span<const Vec3> x, Vec3 bead) {
+    const auto [at, u, v, n] = corner_of(s, nearest, x);
     const Vec3 w = bead - at;
-    const Vec3 n = cross(u, v);
     const double q = 1 / dot(n, n);
     const double b2 = dot(cross(u, w), n) * q;
     const double b1 = dot(cross(w, v), n) * q;
@@ -297,6 +306,33 @@ SolverHit solver_step(Track& track, const NearMesh& mesh, std::span<const Vec3> 
     hit.segment = track.segment;
     hit.at_rim = at_rim;
     return hit;
+}
+
+double track_margin(const Track& track, const NearMesh& mesh, std::span<const Vec3> x, Vec3 bead) {
+    // The nearest node stays while every other one of its ring is farther: two distances come together by
+    // twice the way.
+    const double nearest = distance(x[track.nearest], bead);
+    double second = infinity;
+    for (const uint32_t s : mesh.segments_around(track.nearest))
+        for (const uint32_t node : mesh.segment[s])
+            if (node != track.nearest) second = std::min(second, squared_distance(x[node], bead));
+    double margin = 0.5 * (std::sqrt(second) - nearest);
+
+    // The segment stays while the corner test is not negative; its coordinates are linear in the position.
+    const SegmentNodes& s = mesh.segment[track.segment];
+    const Corner corner = corner_of(s, track.nearest, x);
+    const Vec3 w = bead - corner.at;
+    const double squared = dot(corner.n, corner.n), q = 1 / squared;
+    const double b2 = dot(cross(corner.u, w), corner.n) * q;
+    const double b1 = dot(cross(w, corner.v), corner.n) * q;
+    const double per_length = 1 / std::sqrt(squared);
+    const double rate2 = norm(corner.u) * per_length, rate1 = norm(corner.v) * per_length,
+                 rate0 = norm(corner.u - corner.v) * per_length;
+    margin = std::min({margin, b2 / rate2, b1 / rate1, (1 - b1 - b2) / rate0});
+    // Rounding of coordinates and of the distance already gone.
+    const double size = std::abs(bead.x) + std::abs(bead.y) + std::abs(bead.z) + nearest;
+    margin = margin * (1 - 1e-6) - 1e-9 * size;
+    return margin > 0 ? margin : 0; // not for NaN either
 }
 
 SolverHit solver_project(const Corners& x, bool triangle, Vec3 bead) {

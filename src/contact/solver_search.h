@@ -65,6 +65,10 @@ std::optional<Track> solver_start(const StartSearch&, const NearMesh&, Vec3 bead
 /// One cycle: node, kept or new segment, projection. `x`: positions of the local nodes now.
 SolverHit solver_step(Track&, const NearMesh&, std::span<const Vec3> x, Vec3 bead);
 
+/// How far a bead node may move against a surface that keeps its shape before solver_step can change the
+/// track: never more than that. 0 when the next step may change it.
+double track_margin(const Track&, const NearMesh&, std::span<const Vec3> x, Vec3 bead);
+
 /// The projection of one cycle on given corners (`triangle`: node 3 repeated). hit.segment is left alone.
 SolverHit solver_project(const Corners&, bool triangle, Vec3 bead);
 

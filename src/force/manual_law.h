@@ -72,7 +72,10 @@ ManualForce<Real> manual_node_force(const BeadLaw<Real>& bead, const ManualConta
         return out;
     }
     const Real P = out.fn_limit * node.tributary;
-    if (P == 0) {
+    if (!E.ramp) {
+        out.ramp = 1;
+        out.normal_force = P;
+    } else if (P == 0) {
         out.ramp = depth > 0 ? std::min(out.penetration / depth, Real(1)) : Real(1);
     } else if (depth > 0 && P / depth <= at.stiffness) {
         out.ramp = std::min(out.penetration / depth, Real(1));
@@ -83,7 +86,7 @@ ManualForce<Real> manual_node_force(const BeadLaw<Real>& bead, const ManualConta
         out.ramp = out.normal_force / P;
     }
     if constexpr (E.restraint != Restraint::none) {
-        const Real limit = out.ft_limit * node.tributary * out.ramp;
+        const Real limit = out.ft_limit * node.tributary * (E.share ? out.ramp : Real(1));
         if constexpr (E.restraint == Restraint::viscous) {
             const Real speed = dot(node.velocity, out.across);
             out.restraint = std::clamp(std::sqrt(at.stiffness * at.mass) * speed, -limit, limit);

@@ -19,6 +19,8 @@ struct Effects {
     Restraint restraint = Restraint::incremental;
     bool normal = true; ///< Fn_first ≠ 0
     bool varies = true; ///< a limit changes along the bead
+    bool ramp = true;   ///< δ may be between 0 and DEPTH
+    bool share = true;  ///< there, the restraint may be scaled by δ/DEPTH
 
     friend constexpr bool operator==(const Effects&, const Effects&) = default;
 };

@@ -17,25 +17,30 @@ constexpr Effects effects_of(const BeadLaw<double>& law, int iform) {
             law.fn_first != 0, law.fn_last != 0 || law.ft_last != 0};
 }
 
-template <Restraint R>
-SolverKernel solver_kernel_of(bool normal, bool varies) {
-    if (normal)
-        return varies ? solver_node_force<double, Effects{R, true, true}>
-                      : solver_node_force<double, Effects{R, true, false}>;
-    return varies ? solver_node_force<double, Effects{R, false, true}>
-                  : solver_node_force<double, Effects{R, false, false}>;
+/// Without a normal force there is no ramp either.
+template <Restraint R, bool varies>
+SolverKernel solver_kernel_of(const Effects& e) {
+    if (!e.normal) return solver_node_force<double, Effects{R, false, varies, false, false}>;
+    if (!e.ramp) return solver_node_force<double, Effects{R, true, varies, false, false}>;
+    return e.share ? solver_node_force<double, Effects{R, true, varies, true, true}>
+                   : solver_node_force<double, Effects{R, true, varies, true, false}>;
 }
 
-inline SolverKernel solver_kernel(Effects effects) {
+template <Restraint R>
+SolverKernel solver_kernel_of(const Effects& e) {
+    return e.varies ? solver_kernel_of<R, true>(e) : solver_kernel_of<R, false>(e);
+}
+
+inline SolverKernel solver_kernel(const Effects& effects) {
     switch (effects.restraint) {
     case Restraint::viscous:
-        return solver_kernel_of<Restraint::viscous>(effects.normal, effects.varies);
+        return solver_kernel_of<Restraint::viscous>(effects);
     case Restraint::incremental:
-        return solver_kernel_of<Restraint::incremental>(effects.normal, effects.varies);
+        return solver_kernel_of<Restraint::incremental>(effects);
     case Restraint::none:
         break;
     }
-    return solver_kernel_of<Restraint::none>(effects.normal, effects.varies);
+    return solver_kernel_of<Restraint::none>(effects);
 }
 
 } // namespace drawbead

@@ -121,11 +121,16 @@ solver_node_force(const BeadLaw<Scalar<Real>>& bead, const SegmentState<Real>& s
         out.restraint = select(acts, out.restraint, none);
     }
     if constexpr (E.normal) {
-        const MaskOf<Real> plateau = out.penetration >= depth;
-        const Real N = select(plateau, out.fn_limit * L, node.slope * out.penetration * L);
-        out.normal_force = select(acts, N, none);
-        const Real share = select(node.slope < k, out.penetration / depth, one);
-        out.ramp_share = select(acts, select(plateau, one, share), one);
+        out.normal_force = out.fn_limit * L;
+        if constexpr (E.ramp) {
+            const MaskOf<Real> plateau = out.penetration >= depth;
+            out.normal_force = select(plateau, out.normal_force, node.slope * out.penetration * L);
+            if (E.share && bead.fn_first != 0) {
+                const Real share = select(node.slope < k, out.penetration / depth, one);
+                out.ramp_share = select(acts, select(plateau, one, share), one);
+            }
+        }
+        out.normal_force = select(acts, out.normal_force, none);
         out.normal = only(-out.normal_force * out.at.normal, {});
     }
     if constexpr (E.restraint != Restraint::none)

@@ -1,0 +1,317 @@
+#include "force/evaluator.h"
+#include "force/moving_surface.h"
+#include "force/solver_kernels.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace drawbead {
+
+namespace {
+
+/// One bead under the solver's law: tracking, projection and force in each cycle, at the cycle's positions
+/// and the velocities of half a step before.
+class SolverRun final : public BeadRun {
+public:
+    SolverRun(const EvaluationScene& scene, const std::vector<MotionSteps>& steps, std::size_t bead,
+              EffectSet stages)
+        : BeadRun(scene, bead, stages), steps_(steps), blank_(surface_, steps), law_(bead_.law), x_(bead_.x),
+          track_(bead_.track), due_(x_.size(), 0.0), state_(x_.size()), force_(x_.size()),
+          half_chord_(x_.size()), s_(x_.size(), 0.0) {
+        if (law_.fn_first == 0) law_.fn_last = 0; // the solver has no normal force then
+        const bool restrains = stages.has(Effect::viscous) || stages.has(Effect::incremental);
+        Effects effects;
+        effects.restraint = !restrains         ? Restraint::none
+                            : bead_.iform == 1 ? Restraint::viscous
+                                               : Restraint::incremental;
+        effects.normal = stages.has(Effect::normal);
+        effects.varies = stages.has(Effect::variation);
+        effects.ramp = stages.has(Effect::ramp);
+        effects.share = stages.has(Effect::ft_ramp);
+        kernel_ = solver_kernel(effects);
+        forceless_ = effects.restraint == Restraint::none && !effects.normal;
+        take_half_chords();
+        take_capacities();
+        mass_.reserve(surface_.mesh.segment.size());
+        for (const SegmentNodes& nodes : surface_.mesh.segment)
+            mass_.push_back({surface_.mass[nodes[0]], surface_.mass[nodes[1]], surface_.mass[nodes[2]],
+                             surface_.mass[nodes[3]]});
+        const uint32_t one = surface_.motion.empty() ? 0 : surface_.motion.front();
+        one_motion_ = std::all_of(surface_.motion.begin(), surface_.motion.end(),
+                                  [&](uint32_t m) { return m == one; }) &&
+                      !steps_[one].turns;
+        deforming_ = stages.has(Effect::deforming_blank) || !one_motion_;
+        tool_turns_ = std::any_of(bead_.motion.begin(), bead_.motion.end(),
+                                  [&](uint32_t m) { return steps_[m].turns; });
+    }
+
+private:
+    void step(std::size_t n) override {
+        const double t = scene_.time[n];
+        if (n > 0 && stages_.has(Effect::moving_tool)) move_tool(n);
+        if (n > 0) note_motion(n);
+        if (!stages_.has(Effect::search)) return;
+        if (stages_.has(Effect::window)) {
+            count(Effect::window);
+            if (t < bead_.t_start || t > bead_.t_stop) {
+                if (open_) leave_window();
+                return;
+            }
+        }
+        open_ = true;
+        // Nothing moves and the last cycle left the search where it was: this one would be the same.
+        if (!stages_.has(Effect::moving) && settled_) {
+            history_.steps[n] = history_.steps[n - 1];
+            return;
+        }
+        count(Effect::moving);
+        cycle(n);
+    }
+
+    void leave_window() {
+        open_ = settled_ = false;
+        std::fill(force_.begin(), force_.end(), Applied{});
+        for (NodeSample& sample : row_)
+            sample = NodeSample{.node = sample.node, .x = sample.x};
+    }
+
+    void cycle(std::size_t n) {
+        StepTotals& totals = history_.steps[n];
+        segment_.v.fill(deforming_ ? Vec3{} : steps_[surface_.motion.front()].velocity_of(n));
+        if (stages_.has(Effect::variation)) sum_arcs();
+        const double length = stages_.has(Effect::variation) && s_.back() > 0 ? s_.back() : 1;
+        const bool keep = sampling(n) || !stages_.has(Effect::moving);
+        NodeInput<double> in;
+        in.dt = scene_.dt[n];
+        bool tracks_stay = n > 0;
+        uint64_t searched = 0, evaluated = 0;
+        for (std::size_t i = 0; i < x_.size(); ++i) {
+            ++evaluated;
+            if (deforming_ || moved_ >= due_[i]) {
+                ++searched;
+                tracks_stay = follow(i, n) && tracks_stay;
+            }
+            const uint32_t segment = track_[i].segment;
+            const SegmentNodes& nodes = surface_.mesh.segment[segment];
+            for (std::size_t k = 0; k < 4; ++k)
+                segment_.x[k] = blank_.at(nodes[k], n);
+            if (deforming_) {
+                count(Effect::deforming_blank);
+                for (std::size_t k = 0; k < 4; ++k)
+                    segment_.v[k] = blank_.velocity(nodes[k], n);
+            }
+            segment_.mass = mass_[segment];
+            segment_.stiffness = surface_.stiffness[segment].k;
+            if (stages_.has(Effect::thickness))
+                segment_.half_thickness = surface_.stiffness[segment].half_thickness;
+            in.x = x_[i];
+            in.half_chord = half_chord_[i];
+            in.s_fraction = s_[i] / length;
+            in.slope = bead_.slope.ramp;
+            if (stages_.has(Effect::reset))
+                in.slope = bead_.slope_read[i] ? *bead_.slope_read[i] : bead_.slope.of(segment_.stiffness);
+            NodeForce<double> f = kernel_(law_, segment_, in, state_[i]);
+            if (forceless_) {
+                f.at = project(segment_.x, in.x);
+                f.penetration = law_.depth > 0 ? (law_.depth - f.at.distance + segment_.half_thickness) *
+                                                     (f.at.inside ? 1 : 0)
+                                               : 1;
+            }
+            add(totals, i, f, n);
+            if (!keep) continue;
+            NodeSample& sample = row_[i];
+            sample.segment = segment;
+            sample.found = true;
+            sample.inside = f.at.inside;
+            sample.xi = f.at.xi;
+            sample.eta = f.at.eta;
+            sample.distance = f.at.distance;
+            sample.penetration = f.penetration;
+            sample.x = in.x;
+            sample.normal = f.normal;
+            sample.restraint = f.tangential;
+        }
+        settled_ = tracks_stay;
+        count(Effect::search, searched);
+        if (stages_.has(Effect::thickness)) count(Effect::thickness, evaluated);
+        if (stages_.has(Effect::reset)) count(Effect::reset, evaluated);
+        count(Effect::edge, evaluated);
+    }
+
+    /// Whether the track stayed.
+    bool follow(std::size_t i, std::size_t n) {
+        const NearMesh& mesh = surface_.mesh;
+        Track& track = track_[i];
+        const Track before = track;
+        blank_.bring_rings(track.nearest, n);
+        blank_.bring_segment(track.segment, n);
+        at_rim_ = solver_step(track, mesh, blank_.x(), x_[i]).at_rim || at_rim_;
+        due_[i] = moved_;
+        if (!deforming_) {
+            blank_.bring_rings(track.nearest, n);
+            due_[i] += track_margin(track, mesh, blank_.x(), x_[i]);
+        }
+        return track.nearest == before.nearest && track.segment == before.segment;
+    }
+
+    void add(StepTotals& totals, std::size_t i, const NodeForce<double>& f, std::size_t n) {
+        const bool contact = f.penetration > 0;
+        const bool incremental = stages_.has(Effect::incremental);
+        if (contact) {
+            totals.normal += f.normal;
+            totals.restraint += f.tangential;
+            const Vec3 foot = f.at.weight[0] * segment_.x[0] + f.at.weight[1] * segment_.x[1] +
+                              f.at.weight[2] * segment_.x[2] + f.at.weight[3] * segment_.x[3];
+            totals.couple += cross(foot - x_[i], f.total);
+            totals.normal_sum += std::abs(f.normal_force);
+            const double restraint = norm(f.tangential);
+            totals.restraint_sum += restraint;
+            ++totals.in_contact;
+            const bool plateau = f.penetration >= law_.depth;
+            if (plateau) ++totals.on_plateau;
+            if (stages_.has(Effect::normal)) count(Effect::normal);
+            if (stages_.has(Effect::normal) && !plateau) {
+                count(Effect::ramp);
+                if (f.ramp_share != 1) count(Effect::ft_ramp);
+            }
+            if (incremental) count(Effect::incremental);
+            if (stages_.has(Effect::viscous)) count(Effect::viscous);
+            const double t = scene_.time[n];
+            if (!history_.first_contact) history_.first_contact = t;
+            if (plateau && !history_.first_plateau) history_.first_plateau = t;
+            if (!history_.first_slip && f.ft_limit != 0 && restraint > 0 &&
+                (incremental ? f.slip != 0 : f.restraint >= f.ft_limit))
+                history_.first_slip = t;
+            if (!touched_[i]) touched_[i] = 1, ++history_.ever_in_contact;
+            if (restraint > history_.worst_restraint * (1 + 1e-12)) {
+                history_.worst_restraint = restraint;
+                history_.worst_node = static_cast<uint32_t>(i);
+                history_.worst_time = t;
+            }
+        }
+        if (stages_.has(Effect::energy)) book_energy(i, f, n);
+    }
+
+    /// By the trapezium rule: velocities stand halfway between two forces.
+    void book_energy(std::size_t i, const NodeForce<double>& f, std::size_t n) {
+        Applied& before = force_[i];
+        const double k = segment_.stiffness;
+        const bool stores = bead_.iform != 1 && k > 0 && f.ft_limit != 0;
+        const double stored = stores ? squared_norm(state_[i].stored) / (2 * k) : 0;
+        if (n > 0) {
+            count(Effect::energy);
+            Vec3 v;
+            for (std::size_t j = 0; j < 4; ++j)
+                v += f.at.weight[j] * segment_.v[j];
+            const double half = 0.5 * scene_.dt[n];
+            BeadEnergy& energy = history_.energy;
+            const double restraint_work = half * dot(before.restraint + f.tangential, v);
+            energy.normal_work += half * dot(before.normal + f.normal, v);
+            energy.restraint_work += restraint_work;
+            energy.tool_work -= half * dot(before.normal + before.restraint + f.total, tool_velocity(i, n));
+            const double taken = -restraint_work - (stored - before.stored);
+            (taken >= 0 ? energy.dissipated : energy.created) += std::abs(taken);
+        }
+        history_.energy.stored += stored - before.stored;
+        before = {f.normal, f.tangential, stored};
+    }
+
+    Vec3 tool_velocity(std::size_t i, std::size_t n) const {
+        const MotionSteps& m = steps_[bead_.motion[i]];
+        return m.turns && n > 0 ? m.rate[n] * (m.placements[n](bead_.x[i]) - m.placements[n - 1](bead_.x[i]))
+                                : m.velocity_of(n);
+    }
+
+    void move_tool(std::size_t n) {
+        count(Effect::moving_tool, x_.size());
+        for (std::size_t i = 0; i < x_.size(); ++i) {
+            const MotionSteps& m = steps_[bead_.motion[i]];
+            if (m.turns)
+                x_[i] = m.placements[n](bead_.x[i]);
+            else if (!m.increment.empty())
+                x_[i] += m.increment[n];
+            row_[i].x = x_[i];
+        }
+        take_half_chords();
+    }
+
+    /// How far bead nodes have come against the blank at most.
+    void note_motion(std::size_t n) {
+        if (deforming_ || !stages_.has(Effect::moving)) return;
+        const MotionSteps& blank = steps_[surface_.motion.front()];
+        const Vec3 base = blank.increment.empty() ? Vec3{} : blank.increment[n];
+        if (tool_turns_) {
+            moved_ = HUGE_VAL; // searched in every step
+            return;
+        }
+        double most = 0;
+        uint32_t last = 0xffffffffu;
+        for (const uint32_t m : bead_.motion) {
+            if (m == last) continue;
+            last = m;
+            const MotionSteps& tool = steps_[m];
+            most = std::max(most, norm((tool.increment.empty() ? Vec3{} : tool.increment[n]) - base));
+        }
+        moved_ += most;
+    }
+
+    void take_half_chords() {
+        const std::size_t last = x_.size() - 1;
+        for (std::size_t i = 0; i < x_.size(); ++i)
+            half_chord_[i] = 0.5 * (x_[std::min(i + 1, last)] - x_[i > 0 ? i - 1 : 0]);
+    }
+
+    void sum_arcs() {
+        count(Effect::variation, x_.size());
+        for (std::size_t i = 1; i < x_.size(); ++i)
+            s_[i] = s_[i - 1] + norm(x_[i] - x_[i - 1]);
+    }
+
+    void take_capacities() {
+        double length = 0;
+        for (std::size_t i = 1; i < x_.size(); ++i)
+            length += norm(x_[i] - x_[i - 1]);
+        double s = 0;
+        for (std::size_t i = 0; i < x_.size(); ++i) {
+            if (i > 0) s += norm(x_[i] - x_[i - 1]);
+            const double share = length > 0 ? s / length : 0, tributary = norm(half_chord_[i]);
+            if (law_.fn_first != 0)
+                history_.normal_capacity +=
+                    std::abs(solver_limit(law_.fn_first, law_.fn_last, share)) * tributary;
+            history_.restraint_capacity +=
+                std::abs(solver_limit(law_.ft_first, law_.ft_last, share)) * tributary;
+        }
+    }
+
+    /// What acted in the cycle before.
+    struct Applied {
+        Vec3 normal, restraint;
+        double stored = 0;
+    };
+
+    const std::vector<MotionSteps>& steps_;
+    MovingSurface blank_;
+    BeadLaw<double> law_;
+    SolverKernel kernel_ = nullptr;
+    SegmentState<double> segment_; ///< of the node at hand
+    std::vector<Vec3> x_;
+    std::vector<Track> track_;
+    std::vector<double> due_; ///< way at which the node's track is to be looked at again
+    std::vector<NodeState<double>> state_;
+    std::vector<Applied> force_;
+    std::vector<Vec3> half_chord_;
+    std::vector<double> s_;
+    std::vector<std::array<double, 4>> mass_; ///< by segment
+    double moved_ = 0;
+    bool forceless_ = false, deforming_ = false, one_motion_ = false, tool_turns_ = false;
+    bool open_ = false, settled_ = false;
+};
+
+} // namespace
+
+std::unique_ptr<BeadRun> make_solver_run(const EvaluationScene& scene, const std::vector<MotionSteps>& steps,
+                                         std::size_t bead, EffectSet stages) {
+    return std::make_unique<SolverRun>(scene, steps, bead, stages);
+}
+
+} // namespace drawbead

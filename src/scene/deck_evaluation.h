@@ -1,0 +1,48 @@
+#pragma once
+// From a model to a scene that can be evaluated: which nodes move how, and what the beads meet.
+#include "base/result.h"
+#include "force/evaluation.h"
+#include "model/model.h"
+#include "scene/deck_contact.h"
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace drawbead {
+
+inline constexpr Needs needs_evaluation = needs_contact | Needs::motion;
+
+struct EvaluationRequest {
+    std::vector<InterfaceId> interfaces; ///< empty: all
+    /// Motions that are asked for, and which of them each target of Model::build follows. Several motions
+    /// on one node add. Without targets the deck's own motion is taken.
+    std::vector<Motion> motions;
+    std::vector<std::size_t> motion_of_target;
+    bool deck_motion = true;
+    std::vector<double> time, dt;
+    unsigned threads = 1;
+    /// At least so much travel is allowed for around the beads; infinity: the whole surface is kept.
+    double travel = 0;
+};
+
+/// An interface that cannot be evaluated, and why.
+struct LeftOut {
+    InterfaceId id = 0;
+    std::string why;
+};
+
+struct DeckEvaluation {
+    EvaluationScene scene;
+    std::vector<std::size_t> interface_of; ///< by bead of the scene: index into Model::drawbeads(), `nin` − 1
+    std::vector<std::optional<int64_t>> tool; ///< by bead: the rigid body that holds its first node
+    std::vector<LeftOut> left_out;
+    std::vector<std::string> notes; ///< what was assumed
+    double travel = 0;              ///< allowed for
+};
+
+/// An error when an asked interface does not exist.
+/// The model must be read with needs_evaluation.
+Result<DeckEvaluation> evaluation_of(const Model&, const EvaluationRequest&);
+
+} // namespace drawbead
