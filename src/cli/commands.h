@@ -15,6 +15,7 @@ int run(const FixCommand&);
 int run(const TableCommand&);
 int run(const InfoCommand&);
 int run(const AuditCommand&);
+int run(const EvaluateCommand&);
 int run(const RulesCommand&);
 int run(const ExplainCommand&);
 int run(const SchemaCommand&);

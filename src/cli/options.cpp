@@ -10,6 +10,7 @@
 #include <charconv>
 #include <deque>
 #include <sstream>
+#include <tuple>
 
 namespace drawbead {
 
@@ -41,26 +42,31 @@ private:
 
     Choice& choice(CLI::App* command, const std::string& name, const Words& words, const std::string& help);
     void reading_options(CLI::App* command, ReadArguments& reading);
+    void scene_options(CLI::App* command, EvaluateCommand& values);
     std::optional<UsageError> finish();
     UsageError explain(const CLI::ParseError& error, const CLI::App& command) const;
     Words option_names(const CLI::App& command) const;
 
     CLI::App app_{"Checks drawbeads (/INTER/TYPE8) of Radioss and OpenRadioss starter decks.", "drawbead"};
-    CLI::App *check_, *fix_, *table_, *info_, *audit_, *rules_, *explain_, *schema_, *completion_;
+    CLI::App *check_, *fix_, *table_, *info_, *audit_, *evaluate_, *plan_, *rules_, *explain_, *schema_,
+        *completion_;
     CheckCommand check_values_;
     FixCommand fix_values_;
     TableCommand table_values_;
     InfoCommand info_values_;
     AuditCommand audit_values_;
+    EvaluateCommand evaluate_values_, plan_values_;
     RulesCommand rules_values_;
     ExplainCommand explain_values_;
     SchemaCommand schema_values_;
     CompletionCommand completion_values_;
     std::deque<Choice> choices_;
     Choice *check_format_, *fail_on_, *colour_, *fix_format_, *fix_fail_on_, *fix_colour_, *normals_,
-        *table_format_, *info_format_, *audit_law_, *audit_format_, *rules_format_;
+        *table_format_, *info_format_, *audit_law_, *audit_format_, *rules_format_, *evaluate_law_,
+        *plan_law_, *evaluate_format_, *plan_format_;
     Words select_, ignore_, fix_select_, fix_ignore_;
-    std::string threads_, interface_, tolerance_;
+    Words force_effects_;
+    std::string threads_, interface_, tolerance_, end_, step_, steps_, every_;
     std::map<const CLI::Option*, Words>
         suggestions_; ///< for completion, of options that take other words too
 };
@@ -175,6 +181,34 @@ Parser::Parser() {
         ->type_name("FILE");
     reading_options(audit_, audit_values_.reading);
 
+    evaluate_ = app_.add_subcommand("evaluate", "Forces of the beads over a prescribed motion");
+    scene_options(evaluate_, evaluate_values_);
+    evaluate_->add_option("--csv", evaluate_values_.csv, "Write a line per step and bead node")
+        ->type_name("FILE");
+    evaluate_
+        ->add_option("--vtu", evaluate_values_.vtu,
+                     "Write a series for ParaView; the names of its files begin with this")
+        ->type_name("FILE");
+    evaluate_->add_option("--every", every_, "Of the steps, write every Nth (default 1)")->type_name("N");
+    evaluate_
+        ->add_option("--force-effects", force_effects_,
+                     "Compute these effects though not needed: names, separated by commas, or all")
+        ->type_name("EFFECT")
+        ->allow_extra_args(false);
+    evaluate_->add_flag("--prove", evaluate_values_.prove,
+                        "Compute everything with all effects too: the same bits, or exit status 3");
+    evaluate_->add_flag("-q,--quiet", evaluate_values_.quiet, "No progress");
+    evaluate_law_ =
+        &choice(evaluate_, "--law", {"scene", "solver", "manual", "both"}, "Instead of the scene's law");
+    evaluate_format_ = &choice(evaluate_, "--format", {"text", "json"}, "How it is printed");
+    reading_options(evaluate_, evaluate_values_.reading);
+
+    plan_ = app_.add_subcommand("plan", "Which effects a scene needs, and why not the others");
+    scene_options(plan_, plan_values_);
+    plan_law_ = &choice(plan_, "--law", {"scene", "solver", "manual", "both"}, "Instead of the scene's law");
+    plan_format_ = &choice(plan_, "--format", {"text", "json"}, "How it is printed");
+    reading_options(plan_, plan_values_.reading);
+
     rules_ = app_.add_subcommand("rules", "List all rules");
     rules_format_ = &choice(rules_, "--format", {"text", "json"}, "How they are printed");
 
@@ -185,10 +219,12 @@ Parser::Parser() {
 
     schema_ = app_.add_subcommand("schema", "Print the JSON Schema of a document");
     suggestions_[schema_
-                     ->add_option("NAME", schema_values_.name,
-                                  "report: what check --format json writes; audit, fix, table: what these do")
+                     ->add_option(
+                         "NAME", schema_values_.name,
+                         "report: what check --format json writes; audit, evaluation, fix, plan, table:\n"
+                         "what these do; scene: what evaluate reads")
                      ->required()
-                     ->type_name("")] = {"audit", "fix", "report", "table"};
+                     ->type_name("")] = {"audit", "evaluation", "fix", "plan", "report", "scene", "table"};
 
     completion_ = app_.add_subcommand("completion", "Print a completion script for a shell");
     suggestions_[completion_->add_option("SHELL", completion_values_.shell, "bash, zsh or fish")
@@ -222,6 +258,24 @@ void Parser::reading_options(CLI::App* command, ReadArguments& reading) {
     command->add_option("-j,--threads", threads_, "Threads; 0, the default, for all cores")->type_name("N");
 }
 
+/// Times for a deck alone, and where the result goes.
+void Parser::scene_options(CLI::App* command, EvaluateCommand& values) {
+    command->add_option("SCENE", values.path, "A scene (.yaml), or a deck that moves as it says")
+        ->required()
+        ->type_name("");
+    command->add_option("--trace", values.trace, "For a deck: take the times of this recorded run")
+        ->type_name("FILE");
+    command
+        ->add_option("--end", end_,
+                     "For a deck: end of the run (default: the /RUN of the engine deck beside it)")
+        ->type_name("T");
+    command->add_option("--step", step_, "For a deck: length of a step")->type_name("T");
+    command->add_option("--steps", steps_, "For a deck: number of equal steps (default 1000)")
+        ->type_name("N");
+    command->add_option("-o,--output", values.file, "Write the result to a file, all at once when complete")
+        ->type_name("FILE");
+}
+
 /// Reads what was taken as text.
 std::optional<UsageError> Parser::finish() {
     for (const Choice& one : choices_) {
@@ -244,6 +298,43 @@ std::optional<UsageError> Parser::finish() {
     rules_values_.json = index(*rules_format_) == 1;
     if (check_values_.output.file == "-") check_values_.output.file.clear();
     if (table_values_.file == "-") table_values_.file.clear();
+
+    const auto law = [](const Choice& one) {
+        return one.value == one.words.front() ? std::nullopt : std::optional(one.value);
+    };
+    evaluate_values_.law = law(*evaluate_law_);
+    plan_values_.law = law(*plan_law_);
+    evaluate_values_.json = index(*evaluate_format_) == 1;
+    plan_values_.json = index(*plan_format_) == 1;
+    plan_values_.plan_only = true;
+    for (EvaluateCommand* one : {&evaluate_values_, &plan_values_}) {
+        if (one->file == "-") one->file.clear();
+        for (const auto& [name, text, value] :
+             {std::tuple{"--end", &end_, &one->end}, std::tuple{"--step", &step_, &one->step}}) {
+            if (text->empty()) continue;
+            double number = 0;
+            const char* end = text->data() + text->size();
+            const auto [stop, error] = std::from_chars(text->data(), end, number);
+            if (error != std::errc() || stop != end || !(number > 0) || !(number < 1e30))
+                return UsageError{std::string(name) + " needs a time, not '" + *text + "'",
+                                  "please give a number above 0"};
+            *value = number;
+        }
+        for (const auto& [name, text, value] :
+             {std::tuple{"--steps", &steps_, &one->steps}, std::tuple{"--every", &every_, &one->every}}) {
+            if (text->empty()) continue;
+            constexpr uint64_t most = 100'000'000;
+            uint64_t number = 0;
+            const char* end = text->data() + text->size();
+            const auto [stop, error] = std::from_chars(text->data(), end, number);
+            if (error != std::errc() || stop != end || number == 0 || number > most)
+                return UsageError{std::string(name) + " needs a number, not '" + *text + "'",
+                                  "please give 1 to 100000000"};
+            *value = number;
+        }
+        if (one->step && one->steps)
+            return UsageError{"--step and --steps exclude each other", "please give one of them"};
+    }
 
     const auto split = [](const Words& lists, Words& entries) {
         for (const std::string& list : lists) {
@@ -271,6 +362,7 @@ std::optional<UsageError> Parser::finish() {
     if (fix_values_.diff && fix_values_.json)
         return UsageError{"--diff and --format json both want standard output",
                           "the JSON report of --dry-run has all edits"};
+    split(force_effects_, evaluate_values_.force_effects);
 
     if (!interface_.empty()) {
         int64_t id = 0;
@@ -298,7 +390,8 @@ std::optional<UsageError> Parser::finish() {
             return UsageError{"-j needs a number of threads, not '" + threads_ + "'",
                               "please give 0 (all cores) to 1024"};
         check_values_.reading.threads = fix_values_.reading.threads = table_values_.reading.threads =
-            info_values_.reading.threads = audit_values_.reading.threads = threads;
+            info_values_.reading.threads = audit_values_.reading.threads = evaluate_values_.reading.threads =
+                plan_values_.reading.threads = threads;
     }
     return std::nullopt;
 }
@@ -366,6 +459,8 @@ std::variant<Command, UsageError> Parser::parse(int argc, const char* const* arg
     if (table_->parsed()) return Command{table_values_};
     if (info_->parsed()) return Command{info_values_};
     if (audit_->parsed()) return Command{audit_values_};
+    if (evaluate_->parsed()) return Command{evaluate_values_};
+    if (plan_->parsed()) return Command{plan_values_};
     if (rules_->parsed()) return Command{rules_values_};
     if (explain_->parsed()) return Command{explain_values_};
     if (schema_->parsed()) return Command{schema_values_};

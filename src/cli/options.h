@@ -78,6 +78,21 @@ struct AuditCommand {
     ReadArguments reading;
 };
 
+/// `evaluate`, and `plan`, which stops before the first step.
+struct EvaluateCommand {
+    std::string path;                ///< a scene (.yaml, .yml) or a deck
+    std::optional<std::string> law;  ///< instead of the scene's
+    std::string trace;               ///< of a deck: times of a recorded run
+    std::optional<double> end, step; ///< of a deck
+    std::optional<uint64_t> steps;   ///< of a deck
+    std::string csv, vtu;            ///< instead of the scene's
+    std::optional<uint64_t> every;   ///< likewise
+    std::vector<std::string> force_effects;
+    bool prove = false, plan_only = false, json = false, quiet = false;
+    std::string file; ///< empty: standard output
+    ReadArguments reading;
+};
+
 struct RulesCommand {
     bool json = false;
 };
@@ -99,8 +114,9 @@ struct PrintCommand {
     std::string text;
 };
 
-using Command = std::variant<CheckCommand, FixCommand, TableCommand, InfoCommand, AuditCommand, RulesCommand,
-                             ExplainCommand, SchemaCommand, CompletionCommand, PrintCommand>;
+using Command =
+    std::variant<CheckCommand, FixCommand, TableCommand, InfoCommand, AuditCommand, EvaluateCommand,
+                 RulesCommand, ExplainCommand, SchemaCommand, CompletionCommand, PrintCommand>;
 
 /// A command line that cannot be understood.
 struct UsageError {
