@@ -13,7 +13,6 @@
 #include "scene/deck_evaluation.h"
 
 #include <algorithm>
-#include <bit>
 #include <chrono>
 #include <cmath>
 #include <fstream>
@@ -165,7 +164,7 @@ Result<Prepared> prepare(const Loaded& loaded, double travel) {
     if (scene.beads.empty()) {
         const LeftOut& first = out.evaluation.left_out.front();
         return Error{"interface " + std::to_string(first.id) + " cannot be evaluated: " + first.why,
-                     loaded.scene.deck, 0, 0, "a scene with a list under motion: says how things move"};
+                     loaded.scene.deck, 0, 0, "give a scene that lists under motion: how things move"};
     }
     for (const Motion& motion : scene.motions)
         out.steps.push_back(integrate(motion, scene.time, scene.dt));
@@ -257,7 +256,7 @@ private:
             one.eta = node.eta;
             one.distance = node.distance;
             one.penetration = node.penetration;
-            one.x = components(node.found ? node.x : node.x == Vec3{} ? bead.x[node.node] : node.x);
+            one.x = components(node.x);
             one.normal = components(node.normal);
             one.restraint = components(node.restraint);
             out.nodes.push_back(one);
@@ -506,37 +505,6 @@ EvaluationReport report_of(const Loaded& loaded, const Prepared& prepared, Effec
     out.notes = loaded.notes;
     out.notes.insert(out.notes.end(), prepared.evaluation.notes.begin(), prepared.evaluation.notes.end());
     return out;
-}
-
-/// Equal bits, or both zero of either sign.
-bool same(double a, double b) {
-    return a == b || std::bit_cast<uint64_t>(a) == std::bit_cast<uint64_t>(b);
-}
-bool same(Vec3 a, Vec3 b) {
-    return same(a.x, b.x) && same(a.y, b.y) && same(a.z, b.z);
-}
-bool same(const std::optional<double>& a, const std::optional<double>& b) {
-    return a.has_value() == b.has_value() && (!a || same(*a, *b));
-}
-bool same(const StepTotals& a, const StepTotals& b) {
-    return same(a.normal, b.normal) && same(a.restraint, b.restraint) && same(a.couple, b.couple) &&
-           same(a.normal_sum, b.normal_sum) && same(a.restraint_sum, b.restraint_sum) &&
-           a.in_contact == b.in_contact && a.on_plateau == b.on_plateau;
-}
-
-/// The first step at which two histories differ; the number of steps when only their sums do.
-std::optional<std::size_t> first_difference(const BeadHistory& a, const BeadHistory& b) {
-    for (std::size_t n = 0; n < a.steps.size(); ++n)
-        if (!same(a.steps[n], b.steps[n])) return n;
-    const BeadEnergy &e = a.energy, &f = b.energy;
-    const bool equal = same(e.normal_work, f.normal_work) && same(e.restraint_work, f.restraint_work) &&
-                       same(e.tool_work, f.tool_work) && same(e.stored, f.stored) &&
-                       same(e.dissipated, f.dissipated) && same(e.created, f.created) &&
-                       same(a.impulse, b.impulse) && same(a.first_contact, b.first_contact) &&
-                       same(a.first_plateau, b.first_plateau) && same(a.first_slip, b.first_slip) &&
-                       a.ever_in_contact == b.ever_in_contact && same(a.worst_restraint, b.worst_restraint) &&
-                       a.worst_node == b.worst_node && same(a.worst_time, b.worst_time);
-    return equal ? std::nullopt : std::optional(a.steps.size());
 }
 
 /// The effects that were left out although they change the outcome of one bead.

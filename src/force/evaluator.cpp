@@ -1,8 +1,29 @@
 #include "force/evaluator.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace drawbead {
+
+namespace {
+
+/// Equal bits, or both zero of either sign.
+bool same(double a, double b) {
+    return a == b || std::bit_cast<uint64_t>(a) == std::bit_cast<uint64_t>(b);
+}
+bool same(Vec3 a, Vec3 b) {
+    return same(a.x, b.x) && same(a.y, b.y) && same(a.z, b.z);
+}
+bool same(const std::optional<double>& a, const std::optional<double>& b) {
+    return a.has_value() == b.has_value() && (!a || same(*a, *b));
+}
+bool same(const StepTotals& a, const StepTotals& b) {
+    return same(a.normal, b.normal) && same(a.restraint, b.restraint) && same(a.couple, b.couple) &&
+           same(a.normal_sum, b.normal_sum) && same(a.restraint_sum, b.restraint_sum) &&
+           a.in_contact == b.in_contact && a.on_plateau == b.on_plateau;
+}
+
+} // namespace
 
 std::string_view name(Law law) {
     return law == Law::solver ? "solver" : "manual";
@@ -11,8 +32,10 @@ std::string_view name(Law law) {
 BeadRun::BeadRun(const EvaluationScene& scene, std::size_t bead, EffectSet stages)
     : scene_(scene), bead_(scene.beads[bead]), surface_(scene.surfaces[bead_.surface]), stages_(stages),
       row_(bead_.x.size()), touched_(bead_.x.size(), 0) {
-    for (uint32_t i = 0; i < row_.size(); ++i)
+    for (uint32_t i = 0; i < row_.size(); ++i) {
         row_[i].node = i;
+        row_[i].x = bead_.x[i];
+    }
     history_.steps.resize(scene.time.size());
 }
 
@@ -39,6 +62,20 @@ std::unique_ptr<BeadRun> make_run(const EvaluationScene& scene, const std::vecto
                                   std::size_t bead, Law law, EffectSet stages) {
     return law == Law::solver ? make_solver_run(scene, steps, bead, stages)
                               : make_manual_run(scene, bead, stages);
+}
+
+std::optional<std::size_t> first_difference(const BeadHistory& a, const BeadHistory& b) {
+    for (std::size_t n = 0; n < a.steps.size(); ++n)
+        if (!same(a.steps[n], b.steps[n])) return n;
+    const BeadEnergy &e = a.energy, &f = b.energy;
+    const bool equal = same(e.normal_work, f.normal_work) && same(e.restraint_work, f.restraint_work) &&
+                       same(e.tool_work, f.tool_work) && same(e.stored, f.stored) &&
+                       same(e.dissipated, f.dissipated) && same(e.created, f.created) &&
+                       same(a.impulse, b.impulse) && same(a.first_contact, b.first_contact) &&
+                       same(a.first_plateau, b.first_plateau) && same(a.first_slip, b.first_slip) &&
+                       a.ever_in_contact == b.ever_in_contact && same(a.worst_restraint, b.worst_restraint) &&
+                       a.worst_node == b.worst_node && same(a.worst_time, b.worst_time);
+    return equal ? std::nullopt : std::optional(a.steps.size());
 }
 
 } // namespace drawbead

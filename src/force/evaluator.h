@@ -68,4 +68,8 @@ std::unique_ptr<BeadRun> make_solver_run(const EvaluationScene&, const std::vect
                                          std::size_t bead, EffectSet stages);
 std::unique_ptr<BeadRun> make_manual_run(const EvaluationScene&, std::size_t bead, EffectSet stages);
 
+/// The first step at which two histories differ, the number of steps when only their sums do; empty when
+/// they have the same bits, 0 and −0 alike.
+std::optional<std::size_t> first_difference(const BeadHistory&, const BeadHistory&);
+
 } // namespace drawbead

@@ -32,8 +32,8 @@ public:
         else
             kernel_ = stages.has(Effect::ramp) ? kernel_of<false, true>(stages.has(Effect::variation))
                                                : kernel_of<false, false>(stages.has(Effect::variation));
-        restrains_ = stages.has(Effect::viscous) || stages.has(Effect::incremental);
         incremental_ = bead_.iform != 1;
+        restrains_ = stages.has(incremental_ ? Effect::incremental : Effect::viscous);
         double length = 0;
         for (std::size_t i = 1; i < bead_.x.size(); ++i)
             share_[i] = length += distance(bead_.x[i - 1], bead_.x[i]);
@@ -253,7 +253,7 @@ private:
             t_ = t;
             return;
         }
-        count(Effect::moving);
+        if (stages_.has(Effect::moving)) count(Effect::moving);
         const Instant now = instant(t, 0, bead_.x.size());
         if (stages_.has(Effect::moving_tool)) count(Effect::moving_tool, bead_.x.size());
         std::swap(then_, now_);
@@ -410,7 +410,9 @@ private:
         for (std::size_t i = 0; i < now_.size(); ++i) {
             NodeSample& row = row_[i];
             if (!was_open_) {
-                if (keep) row = NodeSample{.node = row.node, .x = row.x};
+                if (keep)
+                    row = NodeSample{.node = row.node,
+                                     .x = scene_.motions[bead_.motion[i]].placement(t)(bead_.x[i])};
                 continue;
             }
             const At& at = now_[i];
@@ -422,7 +424,11 @@ private:
             const Vec3 restraint = contact ? -q_[i] * at.force.across : Vec3{};
             if (contact) {
                 if (stages_.has(Effect::normal)) count(Effect::normal);
-                if (stages_.has(Effect::ramp) && at.status() == 1) count(Effect::ramp);
+                if (stages_.has(Effect::ramp) && at.status() == 1) {
+                    count(Effect::ramp);
+                    if (restrains_) count(Effect::ft_ramp);
+                    if (at.force.reset) count(Effect::reset);
+                }
                 totals.normal += normal;
                 totals.restraint += restraint;
                 totals.couple += cross(at.foot - at.x, normal + restraint);

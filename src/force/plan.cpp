@@ -227,10 +227,6 @@ private:
     }
 
     void motion() {
-        double fastest = 0;
-        for (const uint32_t m : blank_)
-            for (const Vec3& v : steps_[m].velocity)
-                fastest = std::max(fastest, norm(v));
         const bool pushed_at_rest =
             law_ == Law::solver && bead_.iform != 1 && (bead_.law.ft_first < 0 || bead_.law.ft_last < 0);
         if (!blank_still_ || !tool_still_)
@@ -290,13 +286,13 @@ private:
     void search() {
         const double reach = bead_.law.depth + largest_g();
         const bool forces = is(Effect::normal) || is(Effect::viscous) || is(Effect::incremental);
-        if (steps_open_ == 0 && law_ == Law::solver)
+        if (options_.node_output)
+            say(Effect::search, V::on, "the output of nodes names their segments");
+        else if (steps_open_ == 0 && law_ == Law::solver)
             say(Effect::search, V::off,
                 "the window is closed at all " + std::to_string(scene_.time.size()) + " steps");
         else if (bead_.t_start > scene_.time.back() || bead_.t_stop <= scene_.time.front())
             say(Effect::search, V::off, "the window is closed over the whole run");
-        else if (options_.node_output)
-            say(Effect::search, V::on, "the output of nodes names their segments");
         else if (plan_.bounded && plan_.d_low > std::max(reach, 0.0) && bead_.law.depth > 0)
             say(Effect::search, V::off,
                 "nearest approach " + length(plan_.d_low) + " > DEPTH + t/2 = " + length(reach));

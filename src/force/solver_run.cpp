@@ -19,7 +19,8 @@ public:
           track_(bead_.track), due_(x_.size(), 0.0), state_(x_.size()), force_(x_.size()),
           half_chord_(x_.size()), s_(x_.size(), 0.0) {
         if (law_.fn_first == 0) law_.fn_last = 0; // the solver has no normal force then
-        const bool restrains = stages.has(Effect::viscous) || stages.has(Effect::incremental);
+        restraint_ = bead_.iform == 1 ? Effect::viscous : Effect::incremental;
+        const bool restrains = stages.has(restraint_);
         Effects effects;
         effects.restraint = !restrains         ? Restraint::none
                             : bead_.iform == 1 ? Restraint::viscous
@@ -47,10 +48,10 @@ public:
 
 private:
     void step(std::size_t n) override {
+        if (!stages_.has(Effect::search)) return;
         const double t = scene_.time[n];
         if (n > 0 && stages_.has(Effect::moving_tool)) move_tool(n);
         if (n > 0) note_motion(n);
-        if (!stages_.has(Effect::search)) return;
         if (stages_.has(Effect::window)) {
             count(Effect::window);
             if (t < bead_.t_start || t > bead_.t_stop) {
@@ -64,7 +65,7 @@ private:
             history_.steps[n] = history_.steps[n - 1];
             return;
         }
-        count(Effect::moving);
+        if (stages_.has(Effect::moving)) count(Effect::moving);
         cycle(n);
     }
 
@@ -156,7 +157,7 @@ private:
 
     void add(StepTotals& totals, std::size_t i, const NodeForce<double>& f, std::size_t n) {
         const bool contact = f.penetration > 0;
-        const bool incremental = stages_.has(Effect::incremental);
+        const bool incremental = restraint_ == Effect::incremental;
         if (contact) {
             totals.normal += f.normal;
             totals.restraint += f.tangential;
@@ -174,8 +175,7 @@ private:
                 count(Effect::ramp);
                 if (f.ramp_share != 1) count(Effect::ft_ramp);
             }
-            if (incremental) count(Effect::incremental);
-            if (stages_.has(Effect::viscous)) count(Effect::viscous);
+            if (stages_.has(restraint_)) count(restraint_);
             const double t = scene_.time[n];
             if (!history_.first_contact) history_.first_contact = t;
             if (plateau && !history_.first_plateau) history_.first_plateau = t;
@@ -303,6 +303,7 @@ private:
     std::vector<double> s_;
     std::vector<std::array<double, 4>> mass_; ///< by segment
     double moved_ = 0;
+    Effect restraint_ = Effect::incremental; ///< its own of the two
     bool forceless_ = false, deforming_ = false, one_motion_ = false, tool_turns_ = false;
     bool open_ = false, settled_ = false;
 };

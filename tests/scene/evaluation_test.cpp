@@ -123,3 +123,51 @@ TEST_CASE("evaluation: every recorded row under the solver's law") {
         CHECK(largest <= 1e-9 * scale);
     }
 }
+
+TEST_CASE("evaluation: what the plan leaves out changes no bit") {
+    std::mt19937 random(7);
+    for (const std::string& name : recorded_scenes()) {
+        INFO(name);
+        const Recorded r = read(name);
+        const EvaluationScene& scene = r.evaluation.scene;
+        for (std::size_t b = 0; b < scene.beads.size(); ++b)
+            for (const Law law : {Law::solver, Law::manual}) {
+                const BeadPlan planned = plan(scene, r.steps, b, law, {});
+                const auto few = run(r, b, law, planned.needed());
+                for (std::size_t i = 0; i < effect_count; ++i)
+                    if (planned.effect[i].verdict == Verdict::off) CHECK(few->counts()[i] == 0);
+                for (int trial = 0; trial < 4; ++trial) {
+                    EffectSet forced = EffectSet::all();
+                    for (std::size_t i = 0; i < effect_count && trial > 0; ++i)
+                        if (random() % 2) forced.remove(static_cast<Effect>(i));
+                    const auto more = run(r, b, law, planned.needed() | forced);
+                    CHECK_FALSE(first_difference(few->history(), more->history()));
+                }
+            }
+    }
+}
+
+TEST_CASE("evaluation: no effect is idle: leaving out a needed one shows somewhere") {
+    // Of the solver's law, where every stage can be seen.
+    EffectSet seen;
+    for (const std::string& name : recorded_scenes()) {
+        const Recorded r = read(name);
+        const EvaluationScene& scene = r.evaluation.scene;
+        for (std::size_t b = 0; b < scene.beads.size(); ++b) {
+            const EffectSet needed = plan(scene, r.steps, b, Law::solver, {}).needed();
+            const auto whole = run(r, b, Law::solver, needed);
+            for (std::size_t i = 0; i < effect_count; ++i) {
+                const auto e = static_cast<Effect>(i);
+                if (!needed.has(e) || seen.has(e)) continue;
+                const auto less = run(r, b, Law::solver, EffectSet(needed).remove(e));
+                if (first_difference(whole->history(), less->history())) seen.add(e);
+            }
+        }
+    }
+    for (const Effect e : {Effect::window, Effect::search, Effect::normal, Effect::ramp, Effect::thickness,
+                           Effect::reset, Effect::ft_ramp, Effect::variation, Effect::viscous,
+                           Effect::incremental, Effect::moving, Effect::energy}) {
+        INFO(name(e));
+        CHECK(seen.has(e));
+    }
+}
