@@ -277,7 +277,7 @@ std::optional<Track> solver_start(const StartSearch& search, const NearMesh& mes
     return track;
 }
 
-SolverHit solver_step(Track& track, const NearMesh& mesh, std::span<const Vec3> x, Vec3 bead) {
+bool solver_follow(Track& track, const NearMesh& mesh, std::span<const Vec3> x, Vec3 bead) {
     // One ring per cycle; ties to the smaller user id, which is the smaller local number.
     uint32_t nearest = track.nearest;
     double closest = squared_distance(x[nearest], bead);
@@ -287,52 +287,76 @@ SolverHit solver_step(Track& track, const NearMesh& mesh, std::span<const Vec3> 
             if (squared < closest || (squared == closest && node < nearest))
                 closest = squared, nearest = node;
         }
-    const bool at_rim = !mesh.is_complete(track.nearest) || !mesh.is_complete(nearest);
+    const bool complete = mesh.is_complete(track.nearest) && mesh.is_complete(nearest);
     track.nearest = nearest;
 
     double best = corner_test(mesh.segment[track.segment], nearest, x, bead);
-    if (!(best >= 0)) {
-        const uint32_t kept = track.segment;
-        for (const uint32_t s : mesh.segments_around(nearest)) {
-            if (s == kept) continue;
-            const double b = corner_test(mesh.segment[s], nearest, x, bead);
-            if (b > best || (b == best && mesh.segment[s] < mesh.segment[track.segment]))
-                best = b, track.segment = s;
-            if (b >= 0) break;
-        }
+    if (best >= 0) return complete;
+    const uint32_t kept = track.segment;
+    for (const uint32_t s : mesh.segments_around(nearest)) {
+        if (s == kept) continue;
+        const double b = corner_test(mesh.segment[s], nearest, x, bead);
+        if (b > best || (b == best && mesh.segment[s] < mesh.segment[track.segment]))
+            best = b, track.segment = s;
+        if (b >= 0) break;
     }
+    return complete;
+}
+
+SolverHit solver_step(Track& track, const NearMesh& mesh, std::span<const Vec3> x, Vec3 bead) {
+    const bool complete = solver_follow(track, mesh, x, bead);
     const SegmentNodes& n = mesh.segment[track.segment];
     SolverHit hit = solver_project({x[n[0]], x[n[1]], x[n[2]], x[n[3]]}, is_triangle(n), bead);
     hit.segment = track.segment;
-    hit.at_rim = at_rim;
+    hit.at_rim = !complete;
     return hit;
 }
 
-double track_margin(const Track& track, const NearMesh& mesh, std::span<const Vec3> x, Vec3 bead) {
-    // The nearest node stays while every other one of its ring is farther: two distances come together by
-    // twice the way.
-    const double nearest = distance(x[track.nearest], bead);
-    double second = infinity;
+TrackRegion::TrackRegion(const Track& track, const NearMesh& mesh, std::span<const Vec3> x, Vec3 bead) {
+    slack_ = 1e-9 * (std::abs(bead.x) + std::abs(bead.y) + std::abs(bead.z));
+    // The nearest node stays while every other one of its ring is farther.
+    const Vec3 from = x[track.nearest];
+    const double nearest = squared_distance(from, bead);
+    std::array<uint32_t, most> seen;
+    std::size_t ring = 0;
     for (const uint32_t s : mesh.segments_around(track.nearest))
-        for (const uint32_t node : mesh.segment[s])
-            if (node != track.nearest) second = std::min(second, squared_distance(x[node], bead));
-    double margin = 0.5 * (std::sqrt(second) - nearest);
-
+        for (const uint32_t node : mesh.segment[s]) {
+            if (node == track.nearest ||
+                std::find(seen.begin(), seen.begin() + ring, node) != seen.begin() + ring)
+                continue;
+            if (ring + 3 == most) {
+                count_ = 0;
+                return;
+            }
+            seen[ring++] = node;
+            add(2.0 * (from - x[node]), squared_distance(x[node], bead) - nearest);
+        }
     // The segment stays while the corner test is not negative; its coordinates are linear in the position.
-    const SegmentNodes& s = mesh.segment[track.segment];
-    const Corner corner = corner_of(s, track.nearest, x);
+    const Corner corner = corner_of(mesh.segment[track.segment], track.nearest, x);
     const Vec3 w = bead - corner.at;
-    const double squared = dot(corner.n, corner.n), q = 1 / squared;
-    const double b2 = dot(cross(corner.u, w), corner.n) * q;
-    const double b1 = dot(cross(w, corner.v), corner.n) * q;
-    const double per_length = 1 / std::sqrt(squared);
-    const double rate2 = norm(corner.u) * per_length, rate1 = norm(corner.v) * per_length,
-                 rate0 = norm(corner.u - corner.v) * per_length;
-    margin = std::min({margin, b2 / rate2, b1 / rate1, (1 - b1 - b2) / rate0});
-    // Rounding of coordinates and of the distance already gone.
-    const double size = std::abs(bead.x) + std::abs(bead.y) + std::abs(bead.z) + nearest;
-    margin = margin * (1 - 1e-6) - 1e-9 * size;
-    return margin > 0 ? margin : 0; // not for NaN either
+    const double q = 1 / dot(corner.n, corner.n);
+    const Vec3 g2 = q * cross(corner.n, corner.u), g1 = q * cross(corner.v, corner.n);
+    const double b2 = dot(g2, w), b1 = dot(g1, w);
+    add(g2, b2);
+    add(g1, b1);
+    add(-(g1 + g2), 1 - b1 - b2);
+}
+
+void TrackRegion::add(Vec3 gradient, double value) {
+    const double size = norm(gradient);
+    plane_[count_++] = {gradient / size, value / size};
+}
+
+double TrackRegion::margin(Vec3 gone) const {
+    if (count_ == 0) return 0;
+    double least = infinity;
+    for (std::size_t i = 0; i < count_; ++i) {
+        const double left = plane_[i].distance + dot(plane_[i].inward, gone);
+        least = left < least ? left : least;
+        if (!(left > 0)) return 0; // not for NaN either
+    }
+    least = least * (1 - 1e-6) - slack_ - 1e-9 * (std::abs(gone.x) + std::abs(gone.y) + std::abs(gone.z));
+    return least > 0 ? least : 0;
 }
 
 SolverHit solver_project(const Corners& x, bool triangle, Vec3 bead) {

@@ -1,5 +1,7 @@
 #include "force/moving_surface.h"
 
+#include <algorithm>
+
 namespace drawbead {
 
 void MovingSurface::bring(uint32_t node, uint32_t n) {
@@ -20,12 +22,16 @@ void MovingSurface::bring_segment(uint32_t segment, std::size_t n) {
         at(node, n);
 }
 
-void MovingSurface::bring_rings(uint32_t node, std::size_t n) {
+void MovingSurface::find_rings(uint32_t node) {
     const NearMesh& mesh = surface_.mesh;
+    std::vector<uint32_t>& rings = rings_[node];
+    rings.push_back(node);
     for (const uint32_t s : mesh.segments_around(node))
         for (const uint32_t next : mesh.segment[s])
             for (const uint32_t t : mesh.segments_around(next))
-                bring_segment(t, n);
+                rings.insert(rings.end(), mesh.segment[t].begin(), mesh.segment[t].end());
+    std::sort(rings.begin(), rings.end());
+    rings.erase(std::unique(rings.begin(), rings.end()), rings.end());
 }
 
 } // namespace drawbead

@@ -11,7 +11,8 @@ namespace drawbead {
 class MovingSurface {
 public:
     MovingSurface(const EvaluationSurface& surface, const std::vector<MotionSteps>& steps)
-        : surface_(surface), steps_(steps), x_(surface.mesh.x), stamp_(surface.mesh.x.size(), 0) {}
+        : surface_(surface), steps_(steps), x_(surface.mesh.x), stamp_(surface.mesh.x.size(), 0),
+          rings_(surface.mesh.x.size()) {}
 
     /// Position of a local node at step n, which never goes back.
     const Vec3& at(uint32_t node, std::size_t n) {
@@ -26,8 +27,12 @@ public:
         // The increments of the translation are in the placements.
         return m.rate[n] * (m.placements[n](x) - m.placements[n - 1](x));
     }
-    /// What solver_step may look at from `node` on: two rings.
-    void bring_rings(uint32_t node, std::size_t n);
+    /// What solver_follow may look at from `node` on: two rings.
+    void bring_rings(uint32_t node, std::size_t n) {
+        if (rings_[node].empty()) find_rings(node);
+        for (const uint32_t one : rings_[node])
+            at(one, n);
+    }
     void bring_segment(uint32_t segment, std::size_t n);
     void bring_all(std::size_t n) {
         for (uint32_t i = 0; i < x_.size(); ++i)
@@ -37,11 +42,13 @@ public:
 
 private:
     void bring(uint32_t node, uint32_t n);
+    void find_rings(uint32_t node);
 
     const EvaluationSurface& surface_;
     const std::vector<MotionSteps>& steps_;
     std::vector<Vec3> x_;
-    std::vector<uint32_t> stamp_; ///< step that x_ is of
+    std::vector<uint32_t> stamp_;              ///< step that x_ is of
+    std::vector<std::vector<uint32_t>> rings_; ///< by node, found when first asked for
 };
 
 } // namespace drawbead

@@ -17,30 +17,27 @@ constexpr Effects effects_of(const BeadLaw<double>& law, int iform) {
             law.fn_first != 0, law.fn_last != 0 || law.ft_last != 0};
 }
 
-/// Without a normal force there is no ramp either.
-template <Restraint R, bool varies>
-SolverKernel solver_kernel_of(const Effects& e) {
-    if (!e.normal) return solver_node_force<double, Effects{R, false, varies, false, false}>;
-    if (!e.ramp) return solver_node_force<double, Effects{R, true, varies, false, false}>;
-    return e.share ? solver_node_force<double, Effects{R, true, varies, true, true}>
-                   : solver_node_force<double, Effects{R, true, varies, true, false}>;
-}
-
-template <Restraint R>
-SolverKernel solver_kernel_of(const Effects& e) {
-    return e.varies ? solver_kernel_of<R, true>(e) : solver_kernel_of<R, false>(e);
+/// Calls use.operator()<E>() with the effects as a constant. Without a normal force there is no ramp either.
+template <class Use>
+auto with_effects(const Effects& effects, Use&& use) {
+    const auto with_ramp = [&]<Restraint R, bool varies>() {
+        if (!effects.normal) return use.template operator()<Effects{R, false, varies, false, false}>();
+        if (!effects.ramp) return use.template operator()<Effects{R, true, varies, false, false}>();
+        return effects.share ? use.template operator()<Effects{R, true, varies, true, true}>()
+                             : use.template operator()<Effects{R, true, varies, true, false}>();
+    };
+    const auto with_limits = [&]<Restraint R>() {
+        return effects.varies ? with_ramp.template operator()<R, true>()
+                              : with_ramp.template operator()<R, false>();
+    };
+    if (effects.restraint == Restraint::viscous) return with_limits.template operator()<Restraint::viscous>();
+    if (effects.restraint == Restraint::incremental)
+        return with_limits.template operator()<Restraint::incremental>();
+    return with_limits.template operator()<Restraint::none>();
 }
 
 inline SolverKernel solver_kernel(const Effects& effects) {
-    switch (effects.restraint) {
-    case Restraint::viscous:
-        return solver_kernel_of<Restraint::viscous>(effects);
-    case Restraint::incremental:
-        return solver_kernel_of<Restraint::incremental>(effects);
-    case Restraint::none:
-        break;
-    }
-    return solver_kernel_of<Restraint::none>(effects);
+    return with_effects(effects, []<Effects E>() -> SolverKernel { return solver_node_force<double, E>; });
 }
 
 } // namespace drawbead

@@ -16,7 +16,8 @@ public:
     SolverRun(const EvaluationScene& scene, const std::vector<MotionSteps>& steps, std::size_t bead,
               EffectSet stages)
         : BeadRun(scene, bead, stages), steps_(steps), blank_(surface_, steps), law_(bead_.law), x_(bead_.x),
-          track_(bead_.track), due_(x_.size(), 0.0), state_(x_.size()), force_(x_.size()),
+          track_(bead_.track), due_(x_.size(), 0.0), region_(x_.size()), gone_(scene.motions.size()),
+          gone_then_(x_.size()), tool_motions_(bead_.motion), state_(x_.size()), force_(x_.size()),
           half_chord_(x_.size()), s_(x_.size(), 0.0) {
         if (law_.fn_first == 0) law_.fn_last = 0; // the solver has no normal force then
         restraint_ = bead_.iform == 1 ? Effect::viscous : Effect::incremental;
@@ -29,8 +30,10 @@ public:
         effects.varies = stages.has(Effect::variation);
         effects.ramp = stages.has(Effect::ramp);
         effects.share = stages.has(Effect::ft_ramp);
-        kernel_ = solver_kernel(effects);
+        cycle_ = with_effects(effects, []<Effects E>() { return &SolverRun::cycle<E>; });
         forceless_ = effects.restraint == Restraint::none && !effects.normal;
+        std::sort(tool_motions_.begin(), tool_motions_.end());
+        tool_motions_.erase(std::unique(tool_motions_.begin(), tool_motions_.end()), tool_motions_.end());
         take_half_chords();
         take_capacities();
         mass_.reserve(surface_.mesh.segment.size());
@@ -66,7 +69,7 @@ private:
             return;
         }
         if (stages_.has(Effect::moving)) count(Effect::moving);
-        cycle(n);
+        (this->*cycle_)(n);
     }
 
     void leave_window() {
@@ -76,6 +79,7 @@ private:
             sample = NodeSample{.node = sample.node, .x = sample.x};
     }
 
+    template <Effects E>
     void cycle(std::size_t n) {
         StepTotals& totals = history_.steps[n];
         segment_.v.fill(deforming_ ? Vec3{} : steps_[surface_.motion.front()].velocity_of(n));
@@ -88,7 +92,7 @@ private:
         uint64_t searched = 0, evaluated = 0;
         for (std::size_t i = 0; i < x_.size(); ++i) {
             ++evaluated;
-            if (deforming_ || moved_ >= due_[i]) {
+            if (deforming_ || (moved_ >= due_[i] && !stays(i))) {
                 ++searched;
                 tracks_stay = follow(i, n) && tracks_stay;
             }
@@ -111,7 +115,7 @@ private:
             in.slope = bead_.slope.ramp;
             if (stages_.has(Effect::reset))
                 in.slope = bead_.slope_read[i] ? *bead_.slope_read[i] : bead_.slope.of(segment_.stiffness);
-            NodeForce<double> f = kernel_(law_, segment_, in, state_[i]);
+            NodeForce<double> f = solver_node_force<double, E>(law_, segment_, in, state_[i]);
             if (forceless_) {
                 f.at = project(segment_.x, in.x);
                 f.penetration = law_.depth > 0 ? (law_.depth - f.at.distance + segment_.half_thickness) *
@@ -139,20 +143,28 @@ private:
         count(Effect::edge, evaluated);
     }
 
-    /// Whether the track stayed.
+    /// Whether the node is still where its track cannot change; then says for how long.
+    bool stays(std::size_t i) {
+        const double margin = region_[i].margin(gone_[bead_.motion[i]] - gone_then_[i]);
+        due_[i] = moved_ + margin;
+        return margin > 0;
+    }
+
+    /// Searches; whether the track stayed.
     bool follow(std::size_t i, std::size_t n) {
         const NearMesh& mesh = surface_.mesh;
         Track& track = track_[i];
         const Track before = track;
         blank_.bring_rings(track.nearest, n);
         blank_.bring_segment(track.segment, n);
-        at_rim_ = solver_step(track, mesh, blank_.x(), x_[i]).at_rim || at_rim_;
+        at_rim_ = !solver_follow(track, mesh, blank_.x(), x_[i]) || at_rim_;
+        const bool stayed = track.nearest == before.nearest && track.segment == before.segment;
         due_[i] = moved_;
-        if (!deforming_) {
-            blank_.bring_rings(track.nearest, n);
-            due_[i] += track_margin(track, mesh, blank_.x(), x_[i]);
-        }
-        return track.nearest == before.nearest && track.segment == before.segment;
+        if (deforming_) return stayed;
+        region_[i] = TrackRegion(track, mesh, blank_.x(), x_[i]);
+        gone_then_[i] = gone_[bead_.motion[i]];
+        due_[i] += region_[i].margin({});
+        return stayed;
     }
 
     void add(StepTotals& totals, std::size_t i, const NodeForce<double>& f, std::size_t n) {
@@ -245,12 +257,11 @@ private:
             return;
         }
         double most = 0;
-        uint32_t last = 0xffffffffu;
-        for (const uint32_t m : bead_.motion) {
-            if (m == last) continue;
-            last = m;
+        for (const uint32_t m : tool_motions_) {
             const MotionSteps& tool = steps_[m];
-            most = std::max(most, norm((tool.increment.empty() ? Vec3{} : tool.increment[n]) - base));
+            const Vec3 step = (tool.increment.empty() ? Vec3{} : tool.increment[n]) - base;
+            gone_[m] += step;
+            most = std::max(most, norm(step));
         }
         moved_ += most;
     }
@@ -292,11 +303,15 @@ private:
     const std::vector<MotionSteps>& steps_;
     MovingSurface blank_;
     BeadLaw<double> law_;
-    SolverKernel kernel_ = nullptr;
+    void (SolverRun::*cycle_)(std::size_t) = nullptr;
     SegmentState<double> segment_; ///< of the node at hand
     std::vector<Vec3> x_;
     std::vector<Track> track_;
-    std::vector<double> due_; ///< way at which the node's track is to be looked at again
+    std::vector<double> due_;         ///< way at which the node's track is to be looked at again
+    std::vector<TrackRegion> region_; ///< of each node since its last search
+    std::vector<Vec3> gone_;          ///< by motion of the bead: displacement against the blank
+    std::vector<Vec3> gone_then_;     ///< by node: at its last search
+    std::vector<uint32_t> tool_motions_;
     std::vector<NodeState<double>> state_;
     std::vector<Applied> force_;
     std::vector<Vec3> half_chord_;

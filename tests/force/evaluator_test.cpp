@@ -340,7 +340,7 @@ TEST_CASE("plan: what a scene does not call for is left out, with the numbers th
     }
 }
 
-TEST_CASE("track margin: within it the solver's search would find the same") {
+TEST_CASE("track region: within it the solver's search would find the same") {
     SheetScene s({100, 0, 50, 0, 5});
     const NearMesh& mesh = s.scene.surfaces[0].mesh;
     const std::vector<Track>& tracks = s.bead().track;
@@ -350,11 +350,14 @@ TEST_CASE("track margin: within it the solver's search would find the same") {
             Track track = tracks[i];
             for (int settle = 0; settle < 30; ++settle)
                 solver_step(track, mesh, mesh.x, x);
-            const double margin = track_margin(track, mesh, mesh.x, x);
+            const TrackRegion region(track, mesh, mesh.x, x);
             for (const Vec3& way : {Vec3{1, 0, 0}, Vec3{-0.6, 0.8, 0}, Vec3{0, -1, 0}, Vec3{0.5, 0.5, 0.7}}) {
+                // As far as it allows, in steps that each go as far as it says.
+                Vec3 gone;
+                for (int reach = 0; reach < 20; ++reach)
+                    gone += region.margin(gone) / norm(way) * way;
                 Track moved = track;
-                const double length = norm(way);
-                solver_step(moved, mesh, mesh.x, x + margin / length * way);
+                solver_step(moved, mesh, mesh.x, x + gone);
                 CHECK(moved.nearest == track.nearest);
                 CHECK(moved.segment == track.segment);
             }
