@@ -259,6 +259,14 @@ TEST_CASE("what moves together feels nothing of it: the manual's law is relative
     CHECK(distance(normal, {0, -std::sin(1.0), std::cos(1.0)}) < 1e-12);
 }
 
+TEST_CASE("beside the free edge the manual has contact for 5 % of a segment") {
+    for (const auto& [x, nodes] : {std::pair{100.2, 9u}, std::pair{100.3, 0u}}) {
+        SheetScene s({100, 0, 50, 0, 5}, 0.3, x);
+        s.tool().terms.push_back(velocity(1, TimeTable::constant(1)));
+        CHECK(s.history(Law::manual).steps.back().in_contact == nodes);
+    }
+}
+
 TEST_CASE("forces at the feet and their reactions: the couple between them") {
     SheetScene s({100, 300, 50, 10, 5}, 3);
     s.blank().terms.push_back(velocity(0, TimeTable::constant(2)));

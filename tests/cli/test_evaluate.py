@@ -1,0 +1,293 @@
+"""`evaluate` and `plan` from outside: recorded runs come out, scenes and their errors, outputs and their readers."""
+
+import base64
+import csv
+import gzip
+import json
+import struct
+import unittest
+import xml.etree.ElementTree as ElementTree
+
+import jsonschema
+
+from support import ROOT, SAMPLES, CommandLineTest, tiny
+from test_schema import loads, strict
+
+TRUTH = ROOT / "tests" / "truth"
+
+
+def scene(name):
+    return TRUTH / name / f"{name}_0000.rad", TRUTH / name / "trace.csv.gz"
+
+
+def schema(name):
+    return json.loads((ROOT / "schemas" / f"{name}.schema.json").read_text())
+
+
+def cells(*values):
+    return "".join(f"{value:>10}" for value in values) + "\n"
+
+
+def reals(*values):
+    return "".join(f"{value:>20}" for value in values) + "\n"
+
+
+# The tiny deck with a blank that stands still and a bead that the cards to be added move.
+HELD_BLANK = "/GRNOD/NODE/5\nblank nodes\n" + cells(1, 2, 3, 4) + "/BCS/5\nheld\n   111 111" + cells(0, 5)
+FUNCTION = "/FUNCT/1\nramp\n" + reals(0.0, 0.0) + reals(1.0, 1.0)
+
+
+def moved(*blocks, keep_bead_held=False):
+    text = tiny()
+    if not keep_bead_held:
+        text = text.replace("   111 111         0         1\n", "   111 111         0         9\n")
+    return text.replace("/END\n", HELD_BLANK + FUNCTION + "".join(blocks) + "/END\n")
+
+
+def vtu_arrays(path):
+    """Name -> values, by nothing but the file format."""
+    root = ElementTree.parse(path).getroot()
+    assert root.get("byte_order") == "LittleEndian" and root.get("header_type") == "UInt64"
+    piece = root.find("UnstructuredGrid/Piece")
+    arrays = {}
+    for array in piece.iter("DataArray"):
+        data = base64.b64decode(array.text, validate=True)
+        (size,) = struct.unpack_from("<Q", data)
+        assert size == len(data) - 8
+        letter = {"Float64": "d", "Int64": "q", "UInt8": "B"}[array.get("type")]
+        flat = [value for (value,) in struct.iter_unpack("<" + letter, data[8:])]
+        width = int(array.get("NumberOfComponents"))
+        arrays[array.get("Name")] = [tuple(flat[i:i + width]) for i in range(0, len(flat), width)]
+    points, lines = int(piece.get("NumberOfPoints")), int(piece.get("NumberOfCells"))
+    assert len(arrays["Points"]) == points and len(arrays["types"]) == len(arrays["offsets"]) == lines
+    return arrays
+
+
+class Evaluate(CommandLineTest):
+    def rows(self, path, law="solver"):
+        with open(path, newline="") as file:
+            return [row for row in csv.DictReader(file) if row["law"] == law]
+
+    def evaluate(self, text, *options):
+        path = self.write("scene.yaml", text)
+        status, out, err = self.run_tool("evaluate", path, "--format", "json", *options)
+        self.assertEqual((status, err), (0, ""))
+        return loads(out)
+
+    def positions(self, deck, *options, end="1"):
+        """z of the first bead node at the end, as the deck moves it."""
+        self.write("d_0000.rad", deck)
+        status, out, err = self.run_tool("evaluate", "d_0000.rad", "--end", end, "--steps", "4", "--csv", "d.csv",
+                                         "--format", "json", *options)
+        self.assertEqual((status, err), (0, ""))
+        return float(self.rows(self.folder / "d.csv")[-1]["zi"]), loads(out)
+
+    def refused(self, deck):
+        self.write("d_0000.rad", deck)
+        status, out, err = self.run_tool("evaluate", "d_0000.rad", "--end", "1")
+        self.assertEqual((status, out), (2, ""))
+        return err
+
+    def test_recorded_runs(self):
+        for name in ("n2_two_thick_reset", "j_window", "win_late", "twoside_bad", "m_sh3n"):
+            with self.subTest(name):
+                deck, trace = scene(name)
+                ours = self.folder / "ours.csv"
+                status, _, err = self.run_tool("evaluate", deck, "--trace", trace, "--law", "solver", "--csv", ours)
+                self.assertEqual((status, err), (0, ""))
+                by_key = {(r["ncycle"], r["nin"], r["inod"]): r for r in self.rows(ours)}
+                with gzip.open(trace, "rt") as file:
+                    theirs = list(csv.DictReader(file))
+                scale = max(abs(float(r[c])) for r in theirs for c in ("fnx", "fny", "fnz", "ftx", "fty", "ftz"))
+                for row in theirs:
+                    own = by_key[row["ncycle"], row["nin"], row["inod"]]
+                    for column in ("node", "seg_n1", "seg_n2", "seg_n3", "seg_n4"):
+                        self.assertEqual(own[column], row[column])
+                    for column in ("fx", "fy", "fz", "fnx", "fny", "fnz", "ftx", "fty", "ftz"):
+                        self.assertLessEqual(abs(float(own[column]) - float(row[column])), 1e-9 * scale)
+
+    def test_same_bytes_with_any_number_of_threads(self):
+        text = f"""
+deck: {SAMPLES / 'hood_0000.rad'}
+time: {{end: 1.0e-2, steps: 50}}
+output: {{csv: out.csv}}
+motion:
+  - move: {{surface: 1}}
+    velocity: {{x: [[0, 0], [5e-3, 1500], [1e-2, 0]], y: 300}}
+  - move: {{interface: [1, 2, 3], side: secondary}}
+    displacement: {{z: [[0, 0], [1e-2, -6]]}}
+"""
+        results = []
+        for threads in (1, 2, 4):
+            report = self.evaluate(text, "-j", threads)
+            results.append((report, (self.folder / "out.csv").read_bytes()))
+        self.assertEqual(results[0], results[1])
+        self.assertEqual(results[0], results[2])
+        report = results[0][0]
+        jsonschema.Draft7Validator(strict(schema("evaluation"))).validate(report)
+        self.assertEqual([bead["interface"] for bead in report["beads"]], [1, 2, 3])
+        self.assertEqual(report["tools"][0]["interfaces"], [1, 2, 3])
+        self.assertGreater(report["tools"][0]["sums"][0]["normal"]["value"], 0)
+        for bead in report["beads"]:
+            self.assertIsNotNone(bead["restraint_difference"])
+
+    def test_prove(self):
+        deck, trace = scene("half")
+        status, out, err = self.run_tool("evaluate", deck, "--trace", trace, "--prove")
+        self.assertEqual((status, err), (0, ""))
+        proof = out[out.index("\nproof\n"):]
+        self.assertIn("interface 1, law solver: the same bits with all effects\n", proof)
+        self.assertIn("interface 1, law manual: the same bits with all effects\n", proof)
+        self.assertIn("  window: 0 planned, 69 with all\n", proof)
+        status, out, _ = self.run_tool("evaluate", deck, "--trace", trace, "--force-effects", "window,variation")
+        self.assertEqual((status, out.count("FORCED")), (0, 4))
+        self.assert_usage_error("--force-effects knows no 'windwo'; did you mean 'window'?", "evaluate", deck,
+                                "--force-effects", "windwo")
+
+    def test_plan(self):
+        deck, _ = scene("a_closing")
+        status, out, err = self.run_tool("plan", deck, "--end", "2e-6", "--format", "json", "--law", "solver")
+        self.assertEqual((status, err), (0, ""))
+        plan = loads(out)
+        jsonschema.Draft7Validator(strict(schema("plan"))).validate(plan)
+        effects = {e["name"]: e for e in plan["beads"][0]["laws"][0]["effects"]}
+        self.assertEqual(effects["search"]["verdict"], "OFF")
+        self.assertEqual(effects["search"]["reason"], "nearest approach 7.88 mm > DEPTH + t/2 = 5.5 mm")
+        status, out, _ = self.run_tool("plan", deck, "--end", "1.6e-4", "--law", "solver")
+        self.assertIn("approach down to -1.6 mm <= DEPTH + t/2 = 5.5 mm", out)
+
+    def test_vtu(self):
+        deck, trace = scene("twoside_bad")
+        status, _, err = self.run_tool("evaluate", deck, "--trace", trace, "--vtu", "series", "--csv", "rows.csv",
+                                       "--every", 10)
+        self.assertEqual((status, err), (0, ""))
+        series = ElementTree.parse(self.folder / "series_solver.pvd").getroot().findall("Collection/DataSet")
+        rows = self.rows(self.folder / "rows.csv")
+        self.assertEqual([float(s.get("timestep")) for s in series], sorted({float(r["tt"]) for r in rows}))
+        last = vtu_arrays(self.folder / series[-1].get("file"))
+        rows = [r for r in rows if r["tt"] == rows[-1]["tt"]]
+        self.assertEqual([n for (n,) in last["node"]], [int(r["node"]) for r in rows])
+        self.assertEqual(last["force"], [tuple(float(r[c]) for c in ("fx", "fy", "fz")) for r in rows])
+        self.assertEqual(last["Points"], [tuple(float(r[c]) for c in ("xi", "yi", "zi")) for r in rows])
+        self.assertEqual(len(last["types"]), len(rows) - 2)  # two beads
+
+    def test_motion_of_the_deck(self):
+        impdisp = ("/IMPDISP/1\ndown\n" + cells(1, "Z", 0, 0, 1) + reals(1.0, -2.0, 0.0, 0.0)
+                   + "/BCS/8\nguided\n   110 111" + cells(0, 1))
+        z, report = self.positions(moved(impdisp))
+        self.assertAlmostEqual(z, 1.0)
+        self.assertEqual(report["beads"][0]["nodes"], 3)
+
+        body = ("/GRNOD/NODE/6\nmain\n" + cells(1000) + "/RBODY/1\ntool\n"
+                + cells(1000, 0, 0, 0) .rstrip("\n") + f"{0.0:>20}" + cells(1) + reals(0, 0, 0) * 2 + cells(0)
+                + "/BCS/8\nguided\n   110 111" + cells(0, 6)
+                + "/IMPVEL/1\ndown\n" + cells(1, "Z", 0, 0, 6) + reals(2.0, -3.0, 0.0, 0.0))
+        deck = moved(body).replace("/SHELL/1\n", "/NODE\n      1000" + reals(0.0, 0.0, 50.0) + "/SHELL/1\n")
+        z, report = self.positions(deck)
+        self.assertAlmostEqual(z, 3 - 3 * 0.25)  # v = 3 t/2
+        self.assertEqual(report["beads"][0]["rigid_body"], 1)
+        self.assertIn("may turn", self.refused(deck.replace("   110 111         0         6", "   110 000         0         6")))
+
+        sensor = impdisp.replace(cells(1, "Z", 0, 0, 1), cells(1, "Z", 0, 3, 1))
+        _, report = self.positions(moved(sensor))
+        self.assertEqual(len(report["notes"]), 1)
+        self.assertIn("sensor 3 is ignored", report["notes"][0])
+
+        skew = impdisp.replace(cells(1, "Z", 0, 0, 1), cells(1, "Z", 2, 0, 1))
+        self.assertIn("/IMPDISP/1: directions of a skew or frame are not read", self.refused(moved(skew)))
+        turning = impdisp.replace(cells(1, "Z", 0, 0, 1), cells(1, "ZZ", 0, 0, 1))
+        self.assertIn("imposed rotations are not read", self.refused(moved(turning)))
+        missing = impdisp.replace(cells(1, "Z", 0, 0, 1), cells(7, "Z", 0, 0, 1))
+        self.assertIn("/FUNCT/7 is not defined", self.refused(moved(missing)))
+        late = impdisp.replace(reals(1.0, -2.0, 0.0, 0.0), reals(1.0, -2.0, 0.5, 0.0))
+        self.assertIn("does not act over the whole run", self.refused(moved(late)))
+        self.assertIn("nothing in the deck prescribes its motion", self.refused(moved()))
+        self.assertIn("it is free in Z", self.refused(moved(impdisp.split("/IMPDISP")[0] + "/BCS/8\nguided\n   110 111"
+                                                           + cells(0, 1))))
+        both = impdisp.replace("   110 111", "   111 111")
+        self.assertIn("act in the same direction Z", self.refused(moved(both)))
+
+    def test_initial_velocity_counts_in_the_first_cycle(self):
+        inivel = ("/INIVEL/TRA/1\nkick\n" + reals(1000.0, 0.0, 0.0).rstrip("\n") + cells(5, 0))
+        deck = moved(inivel, keep_bead_held=True).replace("                50.0                20.0                 2.0",
+                                                          "                50.0                20.0                 9.0")
+        self.write("d_0000.rad", deck)
+        self.run_tool("evaluate", "d_0000.rad", "--end", "1", "--steps", "2", "--law", "solver", "--csv", "d.csv")
+        restraint = [abs(float(r["ftx"])) for r in self.rows(self.folder / "d.csv")]
+        self.assertGreater(restraint[0], 0)
+        self.assertEqual(restraint[-1], 0)
+
+    def test_end_of_the_engine_deck(self):
+        self.write("d_0000.rad", moved(keep_bead_held=True))
+        self.assertIn("please give --end", self.run_tool("evaluate", "d_0000.rad")[2])
+        self.write("d_0001.rad", "#RADIOSS ENGINE\n/RUN/d/1\n# end\n               0.002\n")
+        status, out, _ = self.run_tool("evaluate", "d_0000.rad", "--format", "json")
+        self.assertEqual((status, loads(out)["end"]), (0, 0.002))
+
+    def test_errors_of_scenes(self):
+        self.write("d_0000.rad", moved(keep_bead_held=True))
+        good = "deck: d_0000.rad\ntime: {end: 1, steps: 10}\n"
+        self.evaluate(good)
+        move = good + "motion:\n  - move: {surface: 1}\n    "
+        for text, message in {
+                "dekc: x\n": "scene.yaml:1:1: error: unknown key 'dekc'; did you mean 'deck'?",
+                "deck: d_0000.rad\n": "scene.yaml:1:1: error: key 'time' is missing",
+                good + "law: slover\n": "scene.yaml:3:6: error: law knows no 'slover'; did you mean 'solver'?",
+                good + "interfaces: [1, x]\n": "scene.yaml:3:17: error: interfaces needs a whole number, not 'x'",
+                "deck: d_0000.rad\ntime: {end: -1, steps: 3}\n": "scene.yaml:2:13: error: end must be above 0",
+                "deck: d_0000.rad\ntime: {end: 1}\n": "scene.yaml:2:7: error: time needs either step or steps beside end",
+                good + "motion: [\n": "scene.yaml:4:1: error: ",
+                move + "velocity: {x: 1e}\n": "scene.yaml:5:19: error: velocity x needs a number, not '1e'",
+                move + "velocity: {w: 1}\n": "scene.yaml:5:16: error: unknown key 'w'; known here: x y z",
+                move + "velocity: {x: [[0, 0], [0, 1]]}\n": "scene.yaml:5:28: error: times must increase",
+                move + "displacement: {z: 1}\n": "scene.yaml:5:23: error: a displacement starts at 0; "
+                                                 "give a table [[0, 0], [time, value]]",
+                move + "velocity: {x: [[0, 0], [0.5, 1]]}\n": "scene.yaml:5:19: error: the table does not cover the run",
+                good + "motion:\n  - move: {surface: 9}\n    velocity: {x: 1}\n":
+                    "scene.yaml:4:21: error: 9 does not exist in the deck",
+                good + "motion:\n  - move: {interface: 7}\n    velocity: {x: 1}\n":
+                    "scene.yaml:4:11: error: an interface needs a side: main or secondary",
+                good + good: "error: key 'deck' stands twice",
+        }.items():
+            with self.subTest(text):
+                self.write("scene.yaml", text)
+                status, out, err = self.run_tool("evaluate", "scene.yaml")
+                self.assertEqual((status, out), (2, ""))
+                self.assertIn(message, err)
+        self.write("scene.yaml", good + "interfaces: 8\n")
+        self.assertIn("no /INTER/TYPE8 with id 8", self.run_tool("evaluate", "scene.yaml")[2])
+
+    def test_rotation(self):
+        self.write("d_0000.rad", tiny())
+        report = self.evaluate("""
+deck: d_0000.rad
+law: manual
+time: {end: 1, step: 0.25}
+output: {csv: out.csv}
+motion:
+  - move: {node_group: 1}
+    rotate: {about: [0, 5, 3], axis: [0, 0, 2], angle: [[0, 0], [1, 90]]}
+    displacement: {z: [[0, 0], [1, -1]]}
+""")
+        last = self.rows(self.folder / "out.csv", "manual")[-3:]
+        for row, radius in zip(last, (2, 5, 8)):
+            self.assertAlmostEqual(float(row["xi"]), 0)
+            self.assertAlmostEqual(float(row["yi"]), 5 + radius)
+            self.assertAlmostEqual(float(row["zi"]), 2)
+        self.assertEqual(report["left_out"], [])
+
+    def test_schemas_are_embedded_and_fit_scenes(self):
+        for name in ("evaluation", "plan", "scene"):
+            jsonschema.Draft7Validator.check_schema(schema(name))
+            status, out, _ = self.run_tool("schema", name)
+            self.assertEqual((status, json.loads(out)), (0, schema(name)))
+        scenes = jsonschema.Draft7Validator(schema("scene"))
+        move = {"move": {"surface": 1}, "velocity": {"x": [[0, 0], [1, 2]], "y": 3}}
+        scenes.validate({"deck": "d", "time": {"end": 1, "steps": 3}, "motion": [move]})
+        scenes.validate({"deck": "d", "time": {"trace": "t"}, "motion": "deck", "law": "both", "interfaces": [1]})
+        self.assertFalse(scenes.is_valid({"deck": "d", "time": {"end": 1}}))
+        self.assertFalse(scenes.is_valid({"deck": "d", "time": {"trace": "t"}, "moton": "deck"}))
+
+
+if __name__ == "__main__":
+    unittest.main()
