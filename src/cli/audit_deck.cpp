@@ -1,5 +1,6 @@
 #include "cli/audit_deck.h"
 
+#include "scene/interface_rank.h"
 #include "scene/main_surface.h"
 #include "scene/nodal_mass.h"
 
@@ -9,11 +10,6 @@
 namespace drawbead {
 
 namespace {
-
-/// What the solver counts as an interface: sub-interfaces are for output.
-bool is_interface(std::string_view keyword) {
-    return keyword.substr(0, 6) == "INTER/" && keyword != "INTER/SUB";
-}
 
 AuditSurface audit_surface(const Model& model, const Surface& surface, const std::vector<double>& mass,
                            unsigned threads) {
@@ -39,9 +35,7 @@ Result<AuditDeck> audit_deck(const Model& model, unsigned threads) {
     const std::string& path = model.deck().path();
     if (model.drawbeads().empty()) return Error{"the deck has no drawbead (/INTER/TYPE8)", path, 0, 0, ""};
     const std::vector<double> mass = nodal_masses(model);
-    std::vector<uint32_t> interfaces; // blocks of all types
-    for (uint32_t i = 0; i < model.deck().blocks().size(); ++i)
-        if (is_interface(model.deck().blocks()[i].keyword)) interfaces.push_back(i);
+    const std::vector<int64_t> ranks = interface_ranks(model);
     for (const Drawbead& bead : model.drawbeads()) {
         const std::string name = "interface " + std::to_string(bead.id);
         if (!bead.group || !model.groups()[*bead.group].evaluated)
@@ -54,8 +48,7 @@ Result<AuditDeck> audit_deck(const Model& model, unsigned threads) {
                          path, 0, 0, ""};
         AuditInterface one;
         one.id = bead.id;
-        one.rank =
-            1 + std::lower_bound(interfaces.begin(), interfaces.end(), bead.block) - interfaces.begin();
+        one.rank = ranks[out.interfaces.size()];
         one.iform = bead.iform;
         one.law = {bead.fn_first, bead.fn_last, bead.ft_first, bead.ft_last, bead.depth};
         one.t_start = bead.t_start;

@@ -240,7 +240,7 @@ private:
         out.law = name(law);
         out.step = sampled.step;
         out.time = scene.time[sampled.step];
-        out.rank = prepared_.evaluation.interface_of[b] + 1;
+        out.rank = static_cast<uint64_t>(prepared_.evaluation.rank[b]);
         out.interface_id = bead.id;
         for (const NodeSample& node : sampled.nodes) {
             const int64_t id = bead.nodes[node.node];

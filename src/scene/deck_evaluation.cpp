@@ -1,5 +1,6 @@
 #include "scene/deck_evaluation.h"
 
+#include "scene/interface_rank.h"
 #include "scene/nodal_mass.h"
 
 #include <algorithm>
@@ -230,6 +231,7 @@ Result<DeckEvaluation> evaluation_of(const Model& model, const EvaluationRequest
     DeckContact contact = contact_of(model, options);
 
     const std::vector<double> mass = nodal_masses(model);
+    const std::vector<int64_t> ranks = interface_ranks(model);
     std::map<std::size_t, std::pair<std::size_t, std::string>> surfaces; // of the model: place, or why not
     for (std::size_t b = 0; b < drawbeads.size(); ++b) {
         const InterfaceContact& one = contact.interfaces[b];
@@ -305,7 +307,7 @@ Result<DeckEvaluation> evaluation_of(const Model& model, const EvaluationRequest
         for (const Attachment& held : model.attachments(one.group->nodes.front()))
             if (held.kind == Attachment::Kind::rigid_body) tool = held.id;
         scene.beads.push_back(std::move(bead));
-        out.interface_of.push_back(b);
+        out.rank.push_back(ranks[b]);
         out.tool.push_back(tool);
     }
     if (model.admesh())

@@ -34,7 +34,7 @@ struct LeftOut {
 
 struct DeckEvaluation {
     EvaluationScene scene;
-    std::vector<std::size_t> interface_of; ///< by bead of the scene: index into Model::drawbeads(), `nin` − 1
+    std::vector<int64_t> rank; ///< by bead of the scene: among the deck's interfaces, the solver's `nin`
     std::vector<std::optional<int64_t>> tool; ///< by bead: the rigid body that holds its first node
     std::vector<LeftOut> left_out;
     std::vector<std::string> notes; ///< what was assumed

@@ -21,8 +21,8 @@ class General(CommandLineTest):
     def test_usage(self):
         self.assert_usage_error("a command is missing; see 'drawbead --help'")
         self.assert_usage_error("unknown command 'chekc'; did you mean 'check'?", "chekc", "x")
-        self.assert_usage_error("unknown command 'frobnicate'; please give one of check, fix, table, info, audit, rules, explain, "
-                                "schema, completion", "frobnicate")
+        self.assert_usage_error("unknown command 'frobnicate'; please give one of check, fix, table, info, audit, evaluate, "
+                                "plan, rules, explain, schema, completion", "frobnicate")
         self.assert_usage_error("unknown option '--verison'; did you mean '--version'?", "--verison")
         self.assert_usage_error("unexpected argument 'b'; see 'drawbead info --help'", "info", "a", "b")
 
@@ -103,7 +103,7 @@ class Completion(CommandLineTest):
         self.assertEqual(self.complete("check", "--include-path", ""), ["parts"])
         self.assertEqual(self.complete("check", "--select", "REF00")[:2], ["REF001", "REF002"])
         self.assertEqual(self.complete("explain", "REF001"), ["REF001"])
-        self.assertEqual(self.complete("schema", ""), ["audit", "fix", "report", "table"])
+        self.assertEqual(self.complete("schema", ""), ["audit", "evaluation", "fix", "plan", "report", "scene", "table"])
         self.assertEqual(self.complete("completion", "f"), ["fish"])
 
     def test_others_name_every_option(self):

@@ -100,8 +100,7 @@ TEST_CASE("evaluation: every recorded row under the solver's law") {
             const auto samples = one->take_samples();
             const NearMesh& mesh = scene.surfaces[scene.beads[b].surface].mesh;
             for (const TraceRow& row : r.trace.rows) {
-                if (static_cast<std::size_t>(row.integer(C::nin) - 1) != r.evaluation.interface_of[b])
-                    continue;
+                if (row.integer(C::nin) != r.evaluation.rank[b]) continue;
                 const auto& sampled = samples.at(static_cast<std::size_t>(row.integer(C::ncycle)));
                 REQUIRE(sampled.step == static_cast<std::size_t>(row.integer(C::ncycle)));
                 const NodeSample& ours = sampled.nodes.at(static_cast<std::size_t>(row.integer(C::inod) - 1));
