@@ -202,17 +202,30 @@ private:
         plan_.bounded = true;
     }
 
-    /// Whether every segment that a track can come to is here: a tracked node is never farther away than the
-    /// first one, plus the way.
+    /// Whether every segment that can be met is here. A tracked node is never farther away than the first one
+    /// plus the path since then, the closest point never farther than that node plus the way.
     bool mesh_covers_tracks() const {
         if (mesh_.cells.empty()) return true;
-        double farthest = 0, size = 0;
-        for (std::size_t i = 0; i < bead_.track.size(); ++i) {
+        double farthest = 0;
+        for (std::size_t i = 0; i < bead_.track.size(); ++i)
             farthest = std::max(farthest, distance(mesh_.x[bead_.track[i].nearest], bead_.x[i]));
-            const Corners c = mesh_.corners(bead_.track[i].segment);
-            size = std::max({size, distance(c[0], c[2]), distance(c[1], c[3])});
+        return mesh_.reach >= (farthest + way_ + (law_ == Law::solver ? path() : way_)) * (1 + 1e-9);
+    }
+
+    /// Length of the path of bead nodes against the blank, at most.
+    double path() const {
+        const std::vector<Vec3>& blank = steps_[blank_[0]].increment;
+        double sum = 0;
+        for (std::size_t n = 1; n < scene_.time.size(); ++n) {
+            double most = 0;
+            for (const uint32_t m : tool_) {
+                const std::vector<Vec3>& tool = steps_[m].increment;
+                most = std::max(
+                    most, norm((tool.empty() ? Vec3{} : tool[n]) - (blank.empty() ? Vec3{} : blank[n])));
+            }
+            sum += most;
         }
-        return mesh_.reach >= farthest + 2 * way_ + 2 * size;
+        return sum;
     }
 
     void window() {

@@ -1,6 +1,7 @@
 #include "force/evaluator.h"
 #include "force/moving_surface.h"
 #include "force/solver_kernels.h"
+#include "force/solver_step.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +32,6 @@ public:
         effects.ramp = stages.has(Effect::ramp);
         effects.share = stages.has(Effect::ft_ramp);
         cycle_ = with_effects(effects, []<Effects E>() { return &SolverRun::cycle<E>; });
-        forceless_ = effects.restraint == Restraint::none && !effects.normal;
         std::sort(tool_motions_.begin(), tool_motions_.end());
         tool_motions_.erase(std::unique(tool_motions_.begin(), tool_motions_.end()), tool_motions_.end());
         take_half_chords();
@@ -81,66 +81,115 @@ private:
 
     template <Effects E>
     void cycle(std::size_t n) {
-        StepTotals& totals = history_.steps[n];
-        segment_.v.fill(deforming_ ? Vec3{} : steps_[surface_.motion.front()].velocity_of(n));
+        const Vec3 velocity = deforming_ ? Vec3{} : steps_[surface_.motion.front()].velocity_of(n);
+        for (SegmentState<double>& segment : segment_)
+            segment.v.fill(velocity);
         if (stages_.has(Effect::variation)) sum_arcs();
-        const double length = stages_.has(Effect::variation) && s_.back() > 0 ? s_.back() : 1;
-        const bool keep = sampling(n) || !stages_.has(Effect::moving);
-        NodeInput<double> in;
-        in.dt = scene_.dt[n];
-        bool tracks_stay = n > 0;
-        uint64_t searched = 0, evaluated = 0;
-        for (std::size_t i = 0; i < x_.size(); ++i) {
-            ++evaluated;
-            if (deforming_ || (moved_ >= due_[i] && !stays(i))) {
-                ++searched;
-                tracks_stay = follow(i, n) && tracks_stay;
+        length_ = stages_.has(Effect::variation) && s_.back() > 0 ? s_.back() : 1;
+        keep_ = sampling(n) || !stages_.has(Effect::moving);
+        settled_ = n > 0;
+        constexpr bool forceless = E.restraint == Restraint::none && !E.normal;
+        for (std::size_t first = 0; first < x_.size(); first += side_by_side) {
+            const std::size_t nodes = std::min(side_by_side, x_.size() - first);
+            for (std::size_t lane = 0; lane < nodes; ++lane)
+                prepare(first + lane, n, segment_[lane], input_[lane]);
+            if constexpr (forceless) {
+                for (std::size_t lane = 0; lane < nodes; ++lane)
+                    take(first + lane, n, where(segment_[lane], input_[lane]), segment_[lane]);
+            } else {
+                const auto take_lanes = [&](std::size_t, std::size_t count, const auto& force) {
+                    for (std::size_t lane = 0; lane < count; ++lane)
+                        take(first + lane, n, one_of(force, lane), segment_[lane]);
+                };
+                drawbead::solver_step<double, E>(
+                    law_, std::span<const SegmentState<double>>(segment_.data(), nodes),
+                    std::span<const NodeInput<double>>(input_.data(), nodes),
+                    std::span(state_).subspan(first, nodes), take_lanes);
             }
-            const uint32_t segment = track_[i].segment;
-            const SegmentNodes& nodes = surface_.mesh.segment[segment];
-            for (std::size_t k = 0; k < 4; ++k)
-                segment_.x[k] = blank_.at(nodes[k], n);
-            if (deforming_) {
-                count(Effect::deforming_blank);
-                for (std::size_t k = 0; k < 4; ++k)
-                    segment_.v[k] = blank_.velocity(nodes[k], n);
-            }
-            segment_.mass = mass_[segment];
-            segment_.stiffness = surface_.stiffness[segment].k;
-            if (stages_.has(Effect::thickness))
-                segment_.half_thickness = surface_.stiffness[segment].half_thickness;
-            in.x = x_[i];
-            in.half_chord = half_chord_[i];
-            in.s_fraction = s_[i] / length;
-            in.slope = bead_.slope.ramp;
-            if (stages_.has(Effect::reset))
-                in.slope = bead_.slope_read[i] ? *bead_.slope_read[i] : bead_.slope.of(segment_.stiffness);
-            NodeForce<double> f = solver_node_force<double, E>(law_, segment_, in, state_[i]);
-            if (forceless_) {
-                f.at = project(segment_.x, in.x);
-                f.penetration = law_.depth > 0 ? (law_.depth - f.at.distance + segment_.half_thickness) *
-                                                     (f.at.inside ? 1 : 0)
-                                               : 1;
-            }
-            add(totals, i, f, n);
-            if (!keep) continue;
-            NodeSample& sample = row_[i];
-            sample.segment = segment;
-            sample.found = true;
-            sample.inside = f.at.inside;
-            sample.xi = f.at.xi;
-            sample.eta = f.at.eta;
-            sample.distance = f.at.distance;
-            sample.penetration = f.penetration;
-            sample.x = in.x;
-            sample.normal = f.normal;
-            sample.restraint = f.tangential;
         }
-        settled_ = tracks_stay;
-        count(Effect::search, searched);
-        if (stages_.has(Effect::thickness)) count(Effect::thickness, evaluated);
-        if (stages_.has(Effect::reset)) count(Effect::reset, evaluated);
-        count(Effect::edge, evaluated);
+        if (stages_.has(Effect::thickness)) count(Effect::thickness, x_.size());
+        if (stages_.has(Effect::reset)) count(Effect::reset, x_.size());
+        count(Effect::edge, x_.size());
+    }
+
+    /// What the law asks for of node i.
+    void prepare(std::size_t i, std::size_t n, SegmentState<double>& segment, NodeInput<double>& in) {
+        if (deforming_ || (moved_ >= due_[i] && !stays(i))) {
+            count(Effect::search);
+            settled_ = follow(i, n) && settled_;
+        }
+        const uint32_t number = track_[i].segment;
+        const SegmentNodes& nodes = surface_.mesh.segment[number];
+        for (std::size_t k = 0; k < 4; ++k)
+            segment.x[k] = blank_.at(nodes[k], n);
+        if (deforming_) {
+            count(Effect::deforming_blank);
+            for (std::size_t k = 0; k < 4; ++k)
+                segment.v[k] = blank_.velocity(nodes[k], n);
+        }
+        segment.mass = mass_[number];
+        segment.stiffness = surface_.stiffness[number].k;
+        if (stages_.has(Effect::thickness))
+            segment.half_thickness = surface_.stiffness[number].half_thickness;
+        in.x = x_[i];
+        in.half_chord = half_chord_[i];
+        in.s_fraction = s_[i] / length_;
+        in.dt = scene_.dt[n];
+        in.slope = bead_.slope.ramp;
+        if (stages_.has(Effect::reset))
+            in.slope = bead_.slope_read[i] ? *bead_.slope_read[i] : bead_.slope.of(segment.stiffness);
+    }
+
+    /// Where a node is when nothing can act on it.
+    NodeForce<double> where(const SegmentState<double>& segment, const NodeInput<double>& in) const {
+        NodeForce<double> f;
+        f.at = project(segment.x, in.x);
+        f.penetration = law_.depth > 0
+                            ? (law_.depth - f.at.distance + segment.half_thickness) * (f.at.inside ? 1 : 0)
+                            : 1;
+        return f;
+    }
+
+    /// One lane of what take() looks at.
+    [[gnu::always_inline]] static NodeForce<double> one_of(const NodeForce<Lanes<double>>& f,
+                                                           std::size_t lane) {
+        const auto vector = [lane](const BasicVec3<Lanes<double>>& v) {
+            return Vec3{v.x[lane], v.y[lane], v.z[lane]};
+        };
+        NodeForce<double> out;
+        out.at.inside = f.at.inside[lane] != 0;
+        out.at.xi = f.at.xi[lane];
+        out.at.eta = f.at.eta[lane];
+        for (std::size_t k = 0; k < 4; ++k)
+            out.at.weight[k] = f.at.weight[k][lane];
+        out.at.distance = f.at.distance[lane];
+        out.penetration = f.penetration[lane];
+        out.ft_limit = f.ft_limit[lane];
+        out.restraint = f.restraint[lane];
+        out.ramp_share = f.ramp_share[lane];
+        out.normal_force = f.normal_force[lane];
+        out.normal = vector(f.normal);
+        out.tangential = vector(f.tangential);
+        out.total = vector(f.total);
+        out.slip = f.slip[lane];
+        return out;
+    }
+
+    [[gnu::always_inline]] void take(std::size_t i, std::size_t n, const NodeForce<double>& f,
+                                     const SegmentState<double>& segment) {
+        add(history_.steps[n], i, f, segment, n);
+        if (!keep_) return;
+        NodeSample& sample = row_[i];
+        sample.segment = track_[i].segment;
+        sample.found = true;
+        sample.inside = f.at.inside;
+        sample.xi = f.at.xi;
+        sample.eta = f.at.eta;
+        sample.distance = f.at.distance;
+        sample.penetration = f.penetration;
+        sample.x = x_[i];
+        sample.normal = f.normal;
+        sample.restraint = f.tangential;
     }
 
     /// Whether the node is still where its track cannot change; then says for how long.
@@ -167,14 +216,15 @@ private:
         return stayed;
     }
 
-    void add(StepTotals& totals, std::size_t i, const NodeForce<double>& f, std::size_t n) {
+    void add(StepTotals& totals, std::size_t i, const NodeForce<double>& f,
+             const SegmentState<double>& segment, std::size_t n) {
         const bool contact = f.penetration > 0;
         const bool incremental = restraint_ == Effect::incremental;
         if (contact) {
             totals.normal += f.normal;
             totals.restraint += f.tangential;
-            const Vec3 foot = f.at.weight[0] * segment_.x[0] + f.at.weight[1] * segment_.x[1] +
-                              f.at.weight[2] * segment_.x[2] + f.at.weight[3] * segment_.x[3];
+            const Vec3 foot = f.at.weight[0] * segment.x[0] + f.at.weight[1] * segment.x[1] +
+                              f.at.weight[2] * segment.x[2] + f.at.weight[3] * segment.x[3];
             totals.couple += cross(foot - x_[i], f.total);
             totals.normal_sum += std::abs(f.normal_force);
             const double restraint = norm(f.tangential);
@@ -201,20 +251,21 @@ private:
                 history_.worst_time = t;
             }
         }
-        if (stages_.has(Effect::energy)) book_energy(i, f, n);
+        if (stages_.has(Effect::energy)) book_energy(i, f, segment, n);
     }
 
     /// By the trapezium rule: velocities stand halfway between two forces.
-    void book_energy(std::size_t i, const NodeForce<double>& f, std::size_t n) {
+    void book_energy(std::size_t i, const NodeForce<double>& f, const SegmentState<double>& segment,
+                     std::size_t n) {
         Applied& before = force_[i];
-        const double k = segment_.stiffness;
+        const double k = segment.stiffness;
         const bool stores = bead_.iform != 1 && k > 0 && f.ft_limit != 0;
         const double stored = stores ? squared_norm(state_[i].stored) / (2 * k) : 0;
         if (n > 0) {
             count(Effect::energy);
             Vec3 v;
             for (std::size_t j = 0; j < 4; ++j)
-                v += f.at.weight[j] * segment_.v[j];
+                v += f.at.weight[j] * segment.v[j];
             const double half = 0.5 * scene_.dt[n];
             BeadEnergy& energy = history_.energy;
             const double restraint_work = half * dot(before.restraint + f.tangential, v);
@@ -304,7 +355,11 @@ private:
     MovingSurface blank_;
     BeadLaw<double> law_;
     void (SolverRun::*cycle_)(std::size_t) = nullptr;
-    SegmentState<double> segment_; ///< of the node at hand
+    static constexpr std::size_t side_by_side = Lanes<double>::count;
+    std::array<SegmentState<double>, side_by_side> segment_; ///< of the nodes at hand
+    std::array<NodeInput<double>, side_by_side> input_;
+    double length_ = 1; ///< of the bead
+    bool keep_ = false; ///< samples of this cycle
     std::vector<Vec3> x_;
     std::vector<Track> track_;
     std::vector<double> due_;         ///< way at which the node's track is to be looked at again
@@ -319,7 +374,7 @@ private:
     std::vector<std::array<double, 4>> mass_; ///< by segment
     double moved_ = 0;
     Effect restraint_ = Effect::incremental; ///< its own of the two
-    bool forceless_ = false, deforming_ = false, one_motion_ = false, tool_turns_ = false;
+    bool deforming_ = false, one_motion_ = false, tool_turns_ = false;
     bool open_ = false, settled_ = false;
 };
 

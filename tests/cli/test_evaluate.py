@@ -141,6 +141,11 @@ motion:
         self.assertIn("  window: 0 planned, 69 with all\n", proof)
         status, out, _ = self.run_tool("evaluate", deck, "--trace", trace, "--force-effects", "window,variation")
         self.assertEqual((status, out.count("FORCED")), (0, 4))
+        rows = []
+        for more in ([], ["--force-effects", "all"]):
+            self.run_tool("evaluate", deck, "--trace", trace, "--csv", "rows.csv", *more)
+            rows.append((self.folder / "rows.csv").read_bytes())
+        self.assertEqual(*rows)
         self.assert_usage_error("--force-effects knows no 'windwo'; did you mean 'window'?", "evaluate", deck,
                                 "--force-effects", "windwo")
 
@@ -190,8 +195,7 @@ motion:
 
         sensor = impdisp.replace(cells(1, "Z", 0, 0, 1), cells(1, "Z", 0, 3, 1))
         _, report = self.positions(moved(sensor))
-        self.assertEqual(len(report["notes"]), 1)
-        self.assertIn("sensor 3 is ignored", report["notes"][0])
+        self.assertTrue(any("sensor 3 is ignored" in note for note in report["notes"]), report["notes"])
 
         skew = impdisp.replace(cells(1, "Z", 0, 0, 1), cells(1, "Z", 2, 0, 1))
         self.assertIn("/IMPDISP/1: directions of a skew or frame are not read", self.refused(moved(skew)))
@@ -208,12 +212,12 @@ motion:
         self.assertIn("act in the same direction Z", self.refused(moved(both)))
 
     def test_initial_velocity_counts_in_the_first_cycle(self):
-        inivel = ("/INIVEL/TRA/1\nkick\n" + reals(1000.0, 0.0, 0.0).rstrip("\n") + cells(5, 0))
+        inivel = ("/INIVEL/TRA/1\nkick\n" + reals(0.0, 1000.0, 0.0).rstrip("\n") + cells(5, 0))
         deck = moved(inivel, keep_bead_held=True).replace("                50.0                20.0                 2.0",
                                                           "                50.0                20.0                 9.0")
         self.write("d_0000.rad", deck)
         self.run_tool("evaluate", "d_0000.rad", "--end", "1", "--steps", "2", "--law", "solver", "--csv", "d.csv")
-        restraint = [abs(float(r["ftx"])) for r in self.rows(self.folder / "d.csv")]
+        restraint = [abs(float(r["fty"])) for r in self.rows(self.folder / "d.csv")]
         self.assertGreater(restraint[0], 0)
         self.assertEqual(restraint[-1], 0)
 
@@ -238,7 +242,7 @@ motion:
                 "deck: d_0000.rad\ntime: {end: 1}\n": "scene.yaml:2:7: error: time needs either step or steps beside end",
                 good + "motion: [\n": "scene.yaml:4:1: error: ",
                 move + "velocity: {x: 1e}\n": "scene.yaml:5:19: error: velocity x needs a number, not '1e'",
-                move + "velocity: {w: 1}\n": "scene.yaml:5:16: error: unknown key 'w'; known here: x y z",
+                move + "velocity: {w: 1}\n": "scene.yaml:5:16: error: unknown key 'w'; did you mean 'x'?",
                 move + "velocity: {x: [[0, 0], [0, 1]]}\n": "scene.yaml:5:28: error: times must increase",
                 move + "displacement: {z: 1}\n": "scene.yaml:5:23: error: a displacement starts at 0; "
                                                  "give a table [[0, 0], [time, value]]",
