@@ -150,66 +150,94 @@ private:
         if (blank_.size() != 1 || mesh_.segment.empty()) return;
         const auto blank = travel(scene_, scene_.motions[blank_[0]], steps_[blank_[0]], law_);
         if (!blank) return;
-        Box bead; // swept by the nodes, against the blank
+        std::vector<Box> swept(nodes_); // by each node, against the blank
         for (const uint32_t m : tool_) {
             const auto tool = travel(scene_, scene_.motions[m], steps_[m], law_);
             if (!tool) return;
             for (std::size_t i = 0; i < nodes_; ++i)
-                if (bead_.motion[i] == m) {
-                    bead.take(bead_.x[i] + tool->lo);
-                    bead.take(bead_.x[i] + tool->hi);
-                }
+                if (bead_.motion[i] == m)
+                    swept[i] = {bead_.x[i] + tool->lo - blank->hi, bead_.x[i] + tool->hi - blank->lo};
             way_ = std::max(way_, norm(tool->hi - tool->lo));
         }
         way_ += norm(blank->hi - blank->lo);
-        bead.lo = bead.lo - blank->hi;
-        bead.hi = bead.hi - blank->lo;
-        if (!mesh_covers_tracks()) return;
+        // A tracked node is never farther away than the first one plus the path since then, the closest point
+        // never farther than that node plus the way.
+        const double further = way_ + (law_ == Law::solver ? path() : way_);
+        constexpr std::size_t most_pairs = 20'000'000;
+        if (nodes_ * mesh_.segment.size() > most_pairs) return;
+        std::vector<Facet> facets;
+        facets.reserve(mesh_.segment.size());
+        for (uint32_t s = 0; s < mesh_.segment.size(); ++s)
+            if (!add_facet(s, facets)) return;
 
         double low = infinity, high = -infinity, size = 0;
-        for (uint32_t s = 0; s < mesh_.segment.size(); ++s) {
-            const Corners c = mesh_.corners(s);
-            std::array<Vec3, 5> normals{unit(area_vector(c)), {}, {}, {}, {}};
-            std::size_t count = 1;
-            if (law_ == Law::manual && !is_triangle(c)) // its normal changes over a warped segment
-                for (std::size_t k = 0; k < 4; ++k)
-                    normals[count++] = patch_normal(c, k == 1 || k == 2 ? 1 : -1, k >= 2 ? 1 : -1);
-            double least = infinity, most = -infinity, spread = 1;
-            for (std::size_t a = 0; a < count; ++a) {
-                if (normals[a] == Vec3{}) return;
-                spread = std::min(spread, dot(normals[0], normals[a]));
-                for (const Vec3& corner : c) {
-                    double from = 0, to = 0;
-                    for (const auto axis : axes) {
-                        const double n = normals[a].*axis;
-                        const double p = n * (bead.lo.*axis - corner.*axis),
-                                     q = n * (bead.hi.*axis - corner.*axis);
-                        from += std::min(p, q);
-                        to += std::max(p, q);
-                    }
-                    least = std::min(least, from);
-                    most = std::max(most, to);
-                    size = std::max(size, norm(corner));
-                }
-            }
-            if (spread < 0.5) return; // hardly a patch any more
-            low = std::min(low, least > 0 ? least * spread : least);
-            high = std::max(high, most);
+        for (std::size_t i = 0; i < nodes_; ++i) {
+            const double start = distance(mesh_.x[bead_.track[i].nearest], bead_.x[i]);
+            const double reach = (start + further) * (1 + 1e-9);
+            if (!mesh_.cells.empty() && mesh_.reach < reach) return; // some of it may be missing
+            for (const Facet& facet : facets)
+                if (apart(facet.box, swept[i]) <= reach) take_bounds(facet, swept[i], low, high);
+            size = std::max({size, norm(swept[i].lo), norm(swept[i].hi)});
         }
-        const double slack = 1e-9 * (size + norm(bead.hi) + norm(bead.lo));
+        const double slack = 1e-9 * 3 * size;
         plan_.d_low = low - slack;
         plan_.d_high = high + slack;
         plan_.bounded = true;
     }
 
-    /// Whether every segment that can be met is here. A tracked node is never farther away than the first one
-    /// plus the path since then, the closest point never farther than that node plus the way.
-    bool mesh_covers_tracks() const {
-        if (mesh_.cells.empty()) return true;
-        double farthest = 0;
-        for (std::size_t i = 0; i < bead_.track.size(); ++i)
-            farthest = std::max(farthest, distance(mesh_.x[bead_.track[i].nearest], bead_.x[i]));
-        return mesh_.reach >= (farthest + way_ + (law_ == Law::solver ? path() : way_)) * (1 + 1e-9);
+    /// A segment with the normals that it has: one for the solver, those of its corners by the manual.
+    struct Facet {
+        Corners corners;
+        Box box;
+        std::array<Vec3, 5> normal;
+        std::size_t normals = 1;
+        double spread = 1; ///< least product of two unit normals, the first with another
+    };
+
+    /// False: hardly a patch any more.
+    bool add_facet(uint32_t segment, std::vector<Facet>& facets) const {
+        Facet facet;
+        facet.corners = mesh_.corners(segment);
+        const Corners& c = facet.corners;
+        for (const Vec3& corner : c)
+            facet.box.take(corner);
+        facet.normal[0] = unit(area_vector(c));
+        if (law_ == Law::manual && !is_triangle(c)) // its normal changes over a warped segment
+            for (std::size_t k = 0; k < 4; ++k)
+                facet.normal[facet.normals++] = patch_normal(c, k == 1 || k == 2 ? 1 : -1, k >= 2 ? 1 : -1);
+        for (std::size_t a = 0; a < facet.normals; ++a) {
+            if (facet.normal[a] == Vec3{}) return false;
+            facet.spread = std::min(facet.spread, dot(facet.normal[0], facet.normal[a]));
+        }
+        facets.push_back(facet);
+        return facet.spread >= 0.5;
+    }
+
+    /// Bounds of the signed distance of all points of `node` from all points of a facet.
+    static void take_bounds(const Facet& facet, const Box& node, double& low, double& high) {
+        double least = infinity, most = -infinity;
+        for (std::size_t a = 0; a < facet.normals; ++a)
+            for (const Vec3& corner : facet.corners) {
+                double from = 0, to = 0;
+                for (const auto axis : axes) {
+                    const double n = facet.normal[a].*axis;
+                    const double p = n * (node.lo.*axis - corner.*axis),
+                                 q = n * (node.hi.*axis - corner.*axis);
+                    from += std::min(p, q);
+                    to += std::max(p, q);
+                }
+                least = std::min(least, from);
+                most = std::max(most, to);
+            }
+        low = std::min(low, least > 0 ? least * facet.spread : least);
+        high = std::max(high, most > 0 ? most / facet.spread : most);
+    }
+
+    static double apart(const Box& a, const Box& b) {
+        Vec3 gap;
+        for (const auto axis : axes)
+            gap.*axis = std::max({a.lo.*axis - b.hi.*axis, b.lo.*axis - a.hi.*axis, 0.0});
+        return norm(gap);
     }
 
     /// Length of the path of bead nodes against the blank, at most.
