@@ -312,8 +312,8 @@ SolverHit solver_step(Track& track, const NearMesh& mesh, std::span<const Vec3> 
     return hit;
 }
 
-TrackRegion::TrackRegion(const Track& track, const NearMesh& mesh, std::span<const Vec3> x, Vec3 bead) {
-    slack_ = 1e-9 * (std::abs(bead.x) + std::abs(bead.y) + std::abs(bead.z));
+TrackRegion::TrackRegion(const Track& track, const NearMesh& mesh, std::span<const Vec3> x, Vec3 bead)
+    : slack_(1e-9 * (std::abs(bead.x) + std::abs(bead.y) + std::abs(bead.z))) {
     // The nearest node stays while every other one of its ring is farther.
     const Vec3 from = x[track.nearest];
     const double nearest = squared_distance(from, bead);

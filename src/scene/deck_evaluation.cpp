@@ -311,8 +311,8 @@ Result<DeckEvaluation> evaluation_of(const Model& model, const EvaluationRequest
         out.tool.push_back(tool);
     }
     if (model.admesh())
-        out.notes.push_back("/ADMESH/GLOBAL: the mesh is taken as the deck has it; a run refines it and "
-                            "meets other segments");
+        out.notes.emplace_back("/ADMESH/GLOBAL: the mesh is taken as the deck has it; a run refines it and "
+                               "meets other segments");
     for (std::string& note : classes.take_notes())
         out.notes.push_back(std::move(note));
     return out;
