@@ -265,7 +265,8 @@ double first_reach(const SegmentMesh& mesh, double around_elements) {
         ++count;
     }
     const double diagonal = sum / static_cast<double>(count), side = diagonal / std::sqrt(2.0);
-    return count > 0 ? 3 * diagonal + around_elements * side : 1;
+    const double reach = 3 * diagonal + around_elements * side;
+    return reach > 0 ? reach : whole_surface; // no segment, or none that has a size
 }
 
 double next_reach(const NearMesh& part, std::span<const Vec3> points, double wanted) {
@@ -279,7 +280,7 @@ double next_reach(const NearMesh& part, std::span<const Vec3> points, double wan
         wanted = std::max(wanted, 1.25 * norm(away));
     }
     box.add(part.surface_min), box.add(part.surface_max);
-    return wanted < norm(box.hi - box.lo) ? wanted : whole_surface;
+    return wanted > part.reach && wanted < norm(box.hi - box.lo) ? wanted : whole_surface;
 }
 
 } // namespace drawbead

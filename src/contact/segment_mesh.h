@@ -94,10 +94,11 @@ struct NearMesh {
 /// surface.
 NearMesh near_mesh(const SegmentMesh&, std::span<const Vec3> points, double reach, unsigned threads = 1);
 
-/// A reach to begin with: a few segments and `around_elements` more, by a sample of them.
+/// A reach to begin with: a few segments and `around_elements` more, by a sample of them; whole_surface when
+/// the sample has no size.
 double first_reach(const SegmentMesh&, double around_elements = 0);
 /// A larger one after `part` was too small: at least `wanted`, at least to the surface's box, and
-/// `whole_surface` when that is no less.
+/// `whole_surface` when that is no less, or no more than before.
 double next_reach(const NearMesh& part, std::span<const Vec3> points, double wanted);
 
 } // namespace drawbead

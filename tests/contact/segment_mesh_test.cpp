@@ -38,6 +38,21 @@ TEST_CASE("segments with missing nodes are left out") {
     CHECK(m.segment.size() == 2);
 }
 
+TEST_CASE("a reach always grows, and ends with the whole surface") {
+    Sheet point = flat_sheet(1, 1);
+    for (Vec3& x : point.x)
+        x = {}; // a segment without a size
+    CHECK(first_reach(point.mesh()) == whole_surface);
+    const Sheet s = flat_sheet(8, 8);
+    const std::vector<Vec3> points{{4, 4, 1}};
+    CHECK(first_reach(s.mesh(), 1) > first_reach(s.mesh()));
+    const NearMesh part = near_mesh(s.mesh(), points, 0.5);
+    CHECK(next_reach(part, points, 2) == 2);
+    CHECK(next_reach(part, points, 0.5) == 1.25); // a little more than to the surface
+    CHECK(next_reach(near_mesh(s.mesh(), points, 2), points, 2) == whole_surface);
+    CHECK(next_reach(part, points, 100) == whole_surface);
+}
+
 TEST_CASE("near the points: all that comes within reach, whatever the count of threads") {
     std::mt19937 random(1);
     for (int round = 0; round < 60; ++round) {
