@@ -9,6 +9,7 @@ target_compile_options(drawbead_flags INTERFACE
 target_link_libraries(drawbead_flags INTERFACE Threads::Threads)
 if(DRAWBEAD_SANITIZE)
     target_compile_options(drawbead_flags INTERFACE
+        -O1 # the kernels of the force laws take minutes at -O2 under sanitizers
         -fsanitize=${DRAWBEAD_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer -g)
     target_link_options(drawbead_flags INTERFACE -fsanitize=${DRAWBEAD_SANITIZE})
 endif()
