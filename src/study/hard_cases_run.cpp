@@ -470,7 +470,7 @@ HardCaseResult never_creates() {
         SheetSpec spec;
         const double s = seed;
         spec.iform = seed % 2 == 0 ? 1 : 2;
-        spec.law = {100, 20 * s, 50, 5 * s, seed % 3 == 0 ? 0 : 2};
+        spec.law = {100, 20 * s, 50, 5 * s, seed % 3 == 0 ? 0.0 : 2.0};
         spec.blank.terms = {
             speed(0, TimeTable({0, 0.3, 0.6, 1}, {std::sin(s), -std::cos(3 * s), 0.5, std::sin(7 * s)}))};
         spec.tool.terms = {way(2, TimeTable({0, 0.4, 0.8, 1}, {0, 2 + std::sin(s), -1, 6}))};
@@ -611,9 +611,9 @@ std::vector<HardCaseRow> run_cases() {
          mirrored<manual>},
         {"mirrored", solver, must_hold, "The whole scene mirrored.", "Forces are mirrored.", "",
          mirrored<solver>},
-        {"translated", manual, must_hold, "The whole scene 1e6 and 1e9 mm away.",
+        {"scene-translated", manual, must_hold, "The whole scene 1e6 and 1e9 mm away.",
          "The same forces; in ulp of that place over 5 mm.", "", translated<manual>},
-        {"translated", solver, must_hold, "The whole scene 1e6 and 1e9 mm away.",
+        {"scene-translated", solver, must_hold, "The whole scene 1e6 and 1e9 mm away.",
          "The same forces; in ulp of that place over 5 mm.", "", translated<solver>},
         {"units", manual, must_hold, "The scene in millimetres and in metres, both Iform, and a steep ramp.",
          "The same forces.", "", units_manual},
