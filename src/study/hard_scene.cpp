@@ -21,13 +21,6 @@ void SheetSpec::straight(double x, double height, double y, double spacing, std:
 
 namespace {
 
-bool finite(double a) {
-    return std::isfinite(a);
-}
-bool finite(Vec3 a) {
-    return finite(a.x) && finite(a.y) && finite(a.z);
-}
-
 /// An order that depends on the seed alone.
 std::vector<uint32_t> order_of(std::size_t count, unsigned seed) {
     std::vector<uint32_t> order(count);
@@ -69,19 +62,6 @@ struct Sheet {
 };
 
 } // namespace
-
-bool SheetOutcome::is_finite() const {
-    for (const StepTotals& step : history.steps)
-        if (!finite(step.normal) || !finite(step.restraint) || !finite(step.couple) ||
-            !finite(step.normal_sum) || !finite(step.restraint_sum))
-            return false;
-    const BeadEnergy& e = history.energy;
-    for (const double value :
-         {e.normal_work, e.restraint_work, e.tool_work, e.stored, e.dissipated, e.created,
-          history.normal_capacity, history.restraint_capacity, history.worst_restraint})
-        if (!finite(value)) return false;
-    return finite(history.impulse);
-}
 
 SheetOutcome evaluate(const SheetSpec& spec, Law law) {
     const Sheet sheet(spec);

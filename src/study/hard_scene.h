@@ -40,7 +40,7 @@ struct SheetOutcome {
     std::vector<NodeSample> last; ///< of the last step
 
     const StepTotals& end() const { return history.steps.back(); }
-    bool is_finite() const;
+    bool is_finite() const { return !first_not_finite(history); }
 };
 
 SheetOutcome evaluate(const SheetSpec&, Law);
