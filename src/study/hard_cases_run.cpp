@@ -526,6 +526,15 @@ HardCaseResult out_and_in() {
     return within(error.value(), 0);
 }
 
+HardCaseResult beyond_the_edge() {
+    // Beside the free edge by 4 % and by 6 % of a segment of 5 mm.
+    SheetSpec spec;
+    spec.straight(100.2, 0.25);
+    const double before = evaluate(spec, Law::manual).end().normal_sum;
+    spec.straight(100.3, 0.25);
+    return broken_by(before - evaluate(spec, Law::manual).end().normal_sum, full_normal, 1e-12);
+}
+
 template <Law law>
 HardCaseResult out_of_this_world() {
     SheetSpec spec = pulled();
@@ -683,6 +692,9 @@ std::vector<HardCaseRow> run_cases() {
          "Each node counts once, at every step.", "", over_mesh_nodes<solver>},
         {"out-and-in", manual, must_hold, "The bead goes over the free edge and comes back.",
          "Contact ends and begins at the same place.", "", out_and_in},
+        {"beyond-the-edge", manual, is_broken,
+         "The bead beside the free edge by 4 % and by 6 % of a segment.",
+         "Fn is continuous; measured: its jump.", "", beyond_the_edge},
         {"out-of-this-world", manual, must_hold, "The bead rises to 1e10 … 1e300 mm.", "No force, no NaN.",
          "", out_of_this_world<manual>},
         {"out-of-this-world", solver, must_hold, "The bead rises to 1e10 … 1e300 mm.", "No force, no NaN.",

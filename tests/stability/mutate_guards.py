@@ -41,7 +41,7 @@ def guard(case, file, text, instead):
 
 MANUAL = "force/manual_law.h"
 guard("reversal-each-step.manual.double", MANUAL, "out.restraint = «std::clamp(trial, -limit, limit)»;", "trial")
-guard("plateau-edge.manual.float", MANUAL,
+guard("plateau-edge.manual.double", MANUAL,
       "out.ramp = «std::min(out.penetration / depth, Real(1))»;\n        out.normal_force = P", "out.penetration / depth")
 guard("restraint-past-depth.manual.double", MANUAL, "depth > 0 ? «std::min(out.penetration / depth, Real(1))» :",
       "out.penetration / depth")
