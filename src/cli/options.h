@@ -93,6 +93,12 @@ struct EvaluateCommand {
     ReadArguments reading;
 };
 
+struct AccuracyCommand {
+    bool hard_cases = false; ///< the built-in scenes instead of the user's
+    bool json = false;
+    std::string file; ///< empty: standard output
+};
+
 struct RulesCommand {
     bool json = false;
 };
@@ -114,9 +120,9 @@ struct PrintCommand {
     std::string text;
 };
 
-using Command =
-    std::variant<CheckCommand, FixCommand, TableCommand, InfoCommand, AuditCommand, EvaluateCommand,
-                 RulesCommand, ExplainCommand, SchemaCommand, CompletionCommand, PrintCommand>;
+using Command = std::variant<CheckCommand, FixCommand, TableCommand, InfoCommand, AuditCommand,
+                             EvaluateCommand, AccuracyCommand, RulesCommand, ExplainCommand, SchemaCommand,
+                             CompletionCommand, PrintCommand>;
 
 /// A command line that cannot be understood.
 struct UsageError {
