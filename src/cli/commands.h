@@ -16,6 +16,7 @@ int run(const TableCommand&);
 int run(const InfoCommand&);
 int run(const AuditCommand&);
 int run(const EvaluateCommand&);
+int run(const AccuracyCommand&);
 int run(const RulesCommand&);
 int run(const ExplainCommand&);
 int run(const SchemaCommand&);

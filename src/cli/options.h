@@ -93,6 +93,23 @@ struct EvaluateCommand {
     ReadArguments reading;
 };
 
+/// `accuracy`.
+struct AccuracyCommand {
+    enum class Format { text, json, csv };
+    enum class Reference { line, nodes, arc };
+
+    std::string path;             ///< a scene
+    std::optional<double> within; ///< tolerance asked for, a share
+    Reference reference = Reference::line;
+    bool all = false;   ///< every setting in the text, not only those on the front
+    bool times = true;  ///< measure them
+    bool quiet = false; ///< no progress
+    Format format = Format::text;
+    std::string svg;  ///< empty: none
+    std::string file; ///< empty: standard output
+    ReadArguments reading;
+};
+
 struct RulesCommand {
     bool json = false;
 };
@@ -114,9 +131,9 @@ struct PrintCommand {
     std::string text;
 };
 
-using Command =
-    std::variant<CheckCommand, FixCommand, TableCommand, InfoCommand, AuditCommand, EvaluateCommand,
-                 RulesCommand, ExplainCommand, SchemaCommand, CompletionCommand, PrintCommand>;
+using Command = std::variant<CheckCommand, FixCommand, TableCommand, InfoCommand, AuditCommand,
+                             EvaluateCommand, AccuracyCommand, RulesCommand, ExplainCommand, SchemaCommand,
+                             CompletionCommand, PrintCommand>;
 
 /// A command line that cannot be understood.
 struct UsageError {
