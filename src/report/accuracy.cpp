@@ -123,7 +123,7 @@ void write_accuracy_text(OutputSink& out, const AccuracyReport& r, bool all) {
     out.write(terminal_safe(r.scene) + ": " + terminal_safe(r.deck) + ", manual law to " +
               with_unit(r.end, r.time_unit) + "\n\n");
     out.write("reference (" + r.reading + "), " + std::to_string(r.reference_evaluations) +
-              " evaluations; two resolutions of it agree to " + percent(r.reference_error) + " %\n");
+              " evaluations; two resolutions of it agree to " + digits(100 * r.reference_error, 2) + " %\n");
     write_beads(out, r);
     out.write(all ? "\nsettings\n"
                   : "\nsettings on the front (--all for every one of " + std::to_string(r.rows.size()) +

@@ -189,7 +189,8 @@ bool stationary(const Bilinear& q, V x, R s, R t, Near& best) {
     return true;
 }
 
-Near nearest(const Quad& c, bool triangle, V x) {
+/// `s`, `t`: where to begin.
+Near nearest(const Quad& c, bool triangle, V x, R s, R t) {
     Near best;
     if (triangle) {
         const V p = c[1] - c[0], q = c[2] - c[0], n = cross(p, q), w = x - c[0];
@@ -206,16 +207,16 @@ Near nearest(const Quad& c, bool triangle, V x) {
         return best;
     }
     const Bilinear q(c);
-    const bool found = stationary(q, x, 0, 0, best);
+    const bool found = stationary(q, x, s, t, best);
     const V n = cross(q.a, q.b);
     const bool flat =
         std::abs(dot(n, q.e)) <= 1e-15L * std::sqrt(dot(n, n) * (dot(q.a, q.a) + dot(q.b, q.b)));
     if (found && flat) return best;
     along_edges(c, false, x, best);
     if (!flat)
-        for (const R s : {-0.7L, 0.7L})
-            for (const R t : {-0.7L, 0.7L})
-                stationary(q, x, s, t, best);
+        for (const R u : {-0.7L, 0.7L})
+            for (const R v : {-0.7L, 0.7L})
+                stationary(q, x, u, v, best);
     return best;
 }
 
@@ -295,6 +296,8 @@ public:
         frame = surface.motion.empty() ? 0 : surface.motion.front();
         rigid =
             std::all_of(surface.motion.begin(), surface.motion.end(), [&](uint32_t m) { return m == frame; });
+        turning = !rigid || std::any_of(scene.motions.begin(), scene.motions.end(),
+                                        [](const Motion& m) { return m.turn.has_value(); });
         way.assign(bead.x.size(), 0);
         for (std::size_t i = 1; i < way.size(); ++i) {
             const V hop = wide(bead.x[i]) - wide(bead.x[i - 1]);
@@ -333,7 +336,8 @@ public:
     std::vector<std::size_t> asked; ///< of the grid: those that are to be recorded
     std::vector<V> low, high;       ///< boxes of segments as they start
     uint32_t frame = 0;
-    bool rigid = true;
+    bool rigid = true;    ///< the surface moves as one
+    bool turning = false; ///< speeds are not lines between the corners of the tables
     R margin = 0, scale = 0, speed = 0;
     std::map<std::pair<uint32_t, uint32_t>, int> edge_count;
     std::vector<uint8_t> outline; ///< by node: an edge that ends there is free
@@ -528,7 +532,9 @@ private:
         bool any = false;
         const auto consider = [&](uint32_t s) {
             const SegmentNodes& n = w_.surface.mesh.segment[s];
-            const Near one = nearest(corners(s, t, inside), n[2] == n[3], x);
+            const bool again = s == last_;
+            const Near one =
+                nearest(corners(s, t, inside), n[2] == n[3], x, again ? last_xi_ : 0, again ? last_eta_ : 0);
             const R d = std::sqrt(one.squared);
             const bool clearly = d < best - equal, tied = !clearly && d <= best + equal;
             // Among equals a foot inside wins, then the first in storage order.
@@ -544,7 +550,11 @@ private:
         if (last < w_.low.size()) consider(last); // most likely still the one
         for (const uint32_t s : near_)
             if (s != last && !(w_.rigid && farther(w_.low[s], w_.high[s], x, best + equal))) consider(s);
-        last_ = any ? segment : last;
+        if (any) {
+            last_ = segment;
+            last_xi_ = std::clamp<R>(foot.xi, -0.9L, 0.9L);
+            last_eta_ = std::clamp<R>(foot.eta, -0.9L, 0.9L);
+        }
         return any;
     }
 
@@ -696,7 +706,14 @@ private:
     void smooth(const Look& a, const Look& b) {
         if (a.status == 0 || !(b.t > a.t)) return;
         const R inside = (a.t + b.t) / 2;
-        const Look m = look(inside, inside);
+        Look m = b;
+        if (w_.turning || a.limit != b.limit || a.u != b.u) {
+            m = look(inside, inside);
+        } else {
+            // All is straight in between: tables are lines, and nothing else changes.
+            m.t = inside;
+            m.speed = (a.speed + b.speed) / 2;
+        }
         if (!incremental()) {
             damped(a, m, b);
             return;
@@ -800,27 +817,46 @@ private:
     V gathered_at_;
     R gathered_then_ = 0, q_ = 0;
     uint32_t last_ = 0xffffffffu; ///< segment of the look before
+    R last_xi_ = 0, last_eta_ = 0;
     bool known_ = false;
 };
 
 /// One half of a hop: what its part of the line did, and for the node's sum q.
-Record half_hop(const World& world, uint32_t a, bool second, R normal_scale, R restraint_scale,
-                double tolerance) {
+Record half_hop(const World& world, const World& probe, uint32_t a, bool second, R normal_scale,
+                R restraint_scale, double tolerance) {
     Record sum = empty_record(world.asked.size());
-    const auto run = [&](R at, R part) {
-        return Follower(world, Spot{a, a + 1, second ? a + 1 : a, at, part}).run();
+    const auto run_in = [&](const World& which, R at, R part) {
+        return Follower(which, Spot{a, a + 1, second ? a + 1 : a, at, part}).run();
+    };
+    const auto run = [&](R at, R part) { return run_in(world, at, part); };
+    const auto apart = [](const Record& one, const Record& two) {
+        std::pair<double, double> most{0, 0};
+        for (std::size_t i = 0; i < one.q.size(); ++i) {
+            most.first = std::max(most.first, norm(one.normal[i] - two.normal[i]));
+            most.second = std::max(most.second, norm(one.restraint[i] - two.restraint[i]));
+        }
+        return most;
     };
     static const R g = 1 / std::sqrt(3.0L);
     const auto panel = [&](const auto& self, R from, R to, int depth) -> void {
         const R centre = (from + to) / 2, half = (to - from) / 2;
+        // Where even a coarse look in time sees no change along the part, one point stands for it.
+        if (depth == 0) {
+            const Record coarse = run_in(probe, centre, to - from);
+            Record pair = run_in(probe, centre - g * half, half);
+            pair.add(run_in(probe, centre + g * half, half), 1);
+            sum.evaluations += coarse.evaluations + pair.evaluations;
+            const auto [normal, restraint] = apart(coarse, pair);
+            if (normal <= 1e-12 * normal_scale && restraint <= 1e-12 * restraint_scale &&
+                std::abs(coarse.absorbed - pair.absorbed) <= 1e-12L * pair.gross) {
+                sum.add(run(centre, to - from), 1);
+                return;
+            }
+        }
         const Record one = run(centre, to - from);
         Record two = run(centre - g * half, half);
         two.add(run(centre + g * half, half), 1);
-        R normal = 0, restraint = 0;
-        for (std::size_t i = 0; i < one.q.size(); ++i) {
-            normal = std::max<R>(normal, norm(one.normal[i] - two.normal[i]));
-            restraint = std::max<R>(restraint, norm(one.restraint[i] - two.restraint[i]));
-        }
+        const auto [normal, restraint] = apart(one, two);
         sum.evaluations += one.evaluations;
         if (depth >= 7 || (normal <= tolerance * normal_scale && restraint <= tolerance * restraint_scale)) {
             two.first_slip = std::min(two.first_slip, one.first_slip);
@@ -845,6 +881,11 @@ std::string_view name(Truth truth) {
 ReferenceBead reference_of(const EvaluationScene& scene, std::size_t bead, std::span<const double> times,
                            const ReferenceOptions& options) {
     const World world(scene, bead, times, options.truth);
+    std::vector<double> some;
+    for (std::size_t i = 0; i < times.size(); i += 1 + times.size() / 200)
+        some.push_back(times[i]);
+    if (some.back() != times.back()) some.push_back(times.back());
+    const World probe(scene, bead, some, options.truth);
     const std::size_t nodes = world.bead.x.size();
     const bool line = options.truth == Truth::line && nodes > 1;
     const BeadLaw<double>& law = world.bead.law;
@@ -853,7 +894,7 @@ ReferenceBead reference_of(const EvaluationScene& scene, std::size_t bead, std::
             restraint_scale = length * std::max<R>({law.ft_first, law.ft_last, 1e-300});
     std::vector<Record> records(line ? 2 * (nodes - 1) : nodes);
     parallel_for(options.threads, records.size(), [&](std::size_t i) {
-        records[i] = line ? half_hop(world, static_cast<uint32_t>(i / 2), i % 2 == 1, normal_scale,
+        records[i] = line ? half_hop(world, probe, static_cast<uint32_t>(i / 2), i % 2 == 1, normal_scale,
                                      restraint_scale, options.line_tolerance)
                           : Follower(world, Spot{static_cast<uint32_t>(i), static_cast<uint32_t>(i),
                                                  static_cast<uint32_t>(i), 0, 0})

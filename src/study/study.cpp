@@ -15,7 +15,7 @@ namespace drawbead {
 namespace {
 
 constexpr std::size_t coarsest = 3, finest = 13; // powers of two of the steps
-constexpr uint64_t shifts = 16;                  // of the grid, for orders
+constexpr uint64_t shifts = 8;                   // of the grid, for orders
 constexpr std::array<Quantity, quantity_count> quantities{
     Quantity::restraint,  Quantity::largest_restraint, Quantity::normal,    Quantity::work,
     Quantity::dissipated, Quantity::first_slip,        Quantity::worst_node};
@@ -77,15 +77,20 @@ Errors errors_of(const BeadValues& v, const ReferenceBead& truth, double end) {
 }
 
 /// Largest norm of the difference of restraints at `time`, which the reference knows.
+/// And its mean over the steps.
 double over_time(const std::vector<double>& time, const std::vector<StepTotals>& steps,
-                 const ReferenceBead& truth) {
-    double most = 0;
+                 const ReferenceBead& truth, double* mean = nullptr) {
+    double most = 0, sum = 0;
     std::size_t at = 0;
     for (std::size_t n = 0; n < time.size(); ++n) {
         while (at + 1 < truth.time.size() && truth.time[at] < time[n])
             ++at;
-        most = std::max(most, norm(steps[n].restraint - truth.restraint[at]));
+        const double apart = norm(steps[n].restraint - truth.restraint[at]);
+        most = std::max(most, apart);
+        sum += apart;
     }
+    if (mean && truth.restraint_largest > 0)
+        *mean = std::max(*mean, sum / static_cast<double>(time.size()) / truth.restraint_largest);
     return truth.restraint_largest > 0 ? most / truth.restraint_largest : most > 0 ? 1 : 0;
 }
 
@@ -125,7 +130,7 @@ private:
         while (last_level_ < finest && std::ldexp(1.0, static_cast<int>(last_level_) + 1) <= cap)
             ++last_level_;
         order_level_ = std::min<std::size_t>(last_level_, 9);
-        grid_level_ = std::max(last_level_, order_level_ + 4);
+        grid_level_ = std::max(last_level_, order_level_ + 3); // shifts by eighths
     }
 
     uint64_t steps_at(std::size_t level) const { return uint64_t{1} << level; }
@@ -161,8 +166,13 @@ private:
             for (const Truth other : {Truth::line, Truth::nodes, Truth::arc}) {
                 if (other == options_.truth) continue;
                 options.truth = other;
-                raise(readings[other], between(reference_of(given_, b, coarse, options), truth));
+                options.line_tolerance = 1e-7;
+                ReferenceBead reading =
+                    reference_of(given_, b, other == Truth::nodes ? times : coarse, options);
+                raise(readings[other], between(reading, truth));
+                if (other == Truth::nodes) nodes_.push_back(std::move(reading));
             }
+            if (options_.truth == Truth::nodes) nodes_.push_back(truth);
             const EvaluationBead& bead = given_.beads[b];
             for (const double edge : {bead.t_start, bead.t_stop})
                 out_.kinked = out_.kinked || (edge > begin_ && edge < end_);
@@ -227,15 +237,18 @@ private:
     }
 
     void measure(StudyRow& row, std::size_t b, const ManualSettings& settings) {
+        measure(row, b, settings, out_.reference[b]);
+    }
+    void measure(StudyRow& row, std::size_t b, const ManualSettings& settings, const ReferenceBead& truth) {
         const auto run = make_stepped_run(work_, b, settings);
         run->advance(0, work_.time.size());
         run->finish();
         out_.rim = out_.rim || run->at_rim();
         row.cost += run->cost();
         row.values[b] = values_of(run->history(), run->absorbed());
-        row.errors[b] = errors_of(row.values[b], out_.reference[b], end_);
+        row.errors[b] = errors_of(row.values[b], truth, end_);
         of(row.errors[b], Quantity::restraint) =
-            over_time(work_.time, run->history().steps, out_.reference[b]);
+            over_time(work_.time, run->history().steps, truth, &row.mean_restraint);
     }
 
     bool has_corners() const {
@@ -365,15 +378,12 @@ private:
             if (pick.row) out_.rows[*pick.row].on_front = true;
     }
 
-    /// In steps: root mean square over grids that are shifted by parts of a step, so that where in its step a
-    /// reversal falls makes no luck of it.
+    /// In steps: mean over grids that are shifted by parts of a step, so that where in its step a reversal
+    /// falls makes no luck of it.
     void step_orders() {
         std::vector<double> size;
         std::vector<Errors> levels;
         ManualSettings s;
-        // Alone, without what the line adds.
-        s.line = options_.truth == Truth::line ? LineRule{LineRule::Kind::adaptive, 2} : LineRule{};
-        s.tributary = options_.truth == Truth::arc ? Tributary::arc : Tributary::chord;
         const std::size_t first =
             order_level_ >= 5 ? std::max<std::size_t>(coarsest, order_level_ - 4) : coarsest;
         for (std::size_t level = first; level <= order_level_; ++level) {
@@ -395,21 +405,23 @@ private:
                 row.values.resize(given_.beads.size());
                 row.errors.resize(given_.beads.size());
                 for (std::size_t b = 0; b < given_.beads.size(); ++b) {
-                    measure(row, b, s);
+                    // Nodes against nodes: without what the line adds.
+                    measure(row, b, s, nodes_[b]);
                     raise(worst, row.errors[b]);
                 }
+                // The largest difference over time hangs on how reversals fall against each other; the mean
+                // does not.
+                of(worst, Quantity::restraint) = row.mean_restraint;
                 for (std::size_t i = 0; i < quantity_count; ++i)
-                    sum[i] += worst[i] * worst[i] / static_cast<double>(shifts);
+                    sum[i] += worst[i] / static_cast<double>(shifts);
             }
-            for (double& e : sum)
-                e = std::sqrt(e);
             size.push_back(1 / static_cast<double>(s.steps));
             levels.push_back(sum);
         }
         for (const Quantity q : quantities) {
             StudyOrder order;
             order.knob = "steps";
-            order.quantity = name(q);
+            order.quantity = q == Quantity::restraint ? "restraint, mean" : name(q);
             order.expected = out_.kinked ? 1 : 2;
             order.size = size;
             for (const Errors& e : levels)
@@ -527,7 +539,7 @@ private:
         using Clock = std::chrono::steady_clock;
         for (std::size_t i = 0; i < out_.rows.size(); ++i) {
             StudyRow& row = out_.rows[i];
-            if (!row.on_front && row.cost.evaluations > 20'000) continue;
+            if (!row.on_front && row.cost.evaluations > 3000) continue;
             say(i, out_.rows.size(), "times");
             set_steps(work_, begin_, end_, row.settings.steps);
             std::vector<double> seconds;
@@ -551,6 +563,7 @@ private:
     const StudyOptions& options_;
     EvaluationScene work_; ///< with the steps of the run at hand
     double begin_, end_;
+    std::vector<ReferenceBead> nodes_; ///< the sum over nodes with chords, by bead
     std::size_t last_level_ = 0, order_level_ = 0, grid_level_ = 0;
     Study out_;
 };

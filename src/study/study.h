@@ -39,6 +39,8 @@ struct StudyRow {
     std::vector<BeadValues> values; ///< by bead
     std::vector<Errors> errors;     ///< by bead
     Errors worst{};                 ///< of all beads
+    double mean_restraint =
+        0; ///< mean over time of the difference of restraints, over the largest; of all beads
     StudyCounts cost;
     bool at_floor = false;               ///< more of the same no longer helps: rounding
     bool on_front = false;               ///< no other is cheaper and no less accurate
@@ -60,7 +62,7 @@ struct StudyOptions {
     Truth truth = Truth::line;
     std::vector<double> tolerances{1e-2, 1e-3, 1e-4};
     std::optional<ManualSettings> own;   ///< settings of the scene, studied too
-    uint64_t most_evaluations = 200'000; ///< of one run
+    uint64_t most_evaluations = 100'000; ///< of one run
     unsigned repeats = 7;                ///< 0: no times
     unsigned threads = 1;
     std::function<void(std::size_t done, std::size_t all, const std::string& what)> progress;
