@@ -104,9 +104,9 @@ private:
         for (int d = static_cast<int>(std::ceil(scale_.y0)); d <= static_cast<int>(scale_.y1); ++d) {
             const double y = scale_.y(std::pow(10.0, d));
             line(left, y, x_end, y, "stroke=\"#dddddd\"");
-            std::string label =
-                d <= -7 ? "10<tspan dy=\"-5\" font-size=\"9\">" + std::to_string(d + 2) + "</tspan> %"
-                        : number(d + 2) + " %";
+            std::string label = d <= -7 ? "10<tspan dy=\"-5\" font-size=\"9\">" + std::to_string(d + 2) +
+                                              "</tspan><tspan dy=\"5\"> %</tspan>"
+                                        : number(d + 2) + " %";
             if (d == static_cast<int>(std::round(std::log10(least_error)))) label = "&#8804; " + label;
             text(left - 8, y + 4, label, "end");
         }
@@ -153,38 +153,46 @@ private:
             out_.write("<path d=\"" + path + "\" fill=\"none\" stroke=\"black\" stroke-width=\"1.5\"/>\n");
     }
 
-    /// Settings that differ in the number of steps alone are one series.
-    static std::string series_of(const AccuracyRow& row) {
-        std::string out = row.brief;
-        const std::size_t at = out.find(" steps");
-        if (at != std::string::npos) out.erase(0, at + 6);
-        if (out.rfind(", ", 0) == 0) out.erase(0, 2);
-        return out.rfind("split, ", 0) == 0 ? out.substr(7) + ", split" : out;
+    static std::string word(const AccuracyRow& row, const std::string& key) {
+        for (const auto& [name, value] : row.settings)
+            if (name == key) return value;
+        return {};
+    }
+
+    /// How the line becomes points: one colour each.
+    static std::string family_of(const AccuracyRow& row) {
+        const std::string line = word(row, "line");
+        if (line == "nodes") return "nodes, " + word(row, "tributary");
+        return line == "adaptive" ? line : line + " points per hop";
+    }
+    static bool is_plain(const AccuracyRow& row) {
+        return word(row, "projection") == "exact" && word(row, "search") == "exact" &&
+               word(row, "sum") == "compensated" && word(row, "number") == "double";
     }
 
     void points() {
         static constexpr std::array<const char*, 8> colours{"#1b6ca8", "#d9822b", "#2e8b57", "#8e44ad",
                                                             "#c0392b", "#16a0a0", "#7f6000", "#555555"};
-        std::size_t next = 0;
         for (const AccuracyRow& row : r_.rows) {
-            const std::string series = series_of(row);
-            const std::size_t at = series.find(", split");
-            const std::string family = at == std::string::npos ? series : std::string(series).erase(at, 7);
-            const auto [place, is_new] = colour_.emplace(family, "");
+            const auto [place, is_new] = colour_.emplace(family_of(row), "");
             if (is_new) {
-                place->second = colours[next++ % colours.size()];
-                families_.push_back(family);
+                place->second = colours[families_.size() % colours.size()];
+                families_.push_back(place->first);
             }
             const double x = scale_.x(static_cast<double>(std::max<uint64_t>(row.evaluations, 1))),
                          y = scale_.y(row.error);
-            const std::string title = "<title>" + escaped(row.brief) + "</title>";
-            if (at == std::string::npos)
+            const std::string title = "<title>" + escaped(row.brief) + "</title>", colour = place->second;
+            if (!is_plain(row))
+                out_.write("<path d=\"M" + fixed(x - 4) + " " + fixed(y - 4) +
+                           " l8 8 m0 -8 l-8 8\" stroke=\"" + colour +
+                           "\" stroke-width=\"1.4\" fill=\"none\">" + title + "</path>\n");
+            else if (word(row, "kinks") == "stepped")
                 out_.write("<circle cx=\"" + fixed(x) + "\" cy=\"" + fixed(y) + "\" r=\"3.5\" fill=\"" +
-                           place->second + "\" fill-opacity=\"0.75\">" + title + "</circle>\n");
+                           colour + "\" fill-opacity=\"0.75\">" + title + "</circle>\n");
             else
                 out_.write("<rect x=\"" + fixed(x - 3.5) + "\" y=\"" + fixed(y - 3.5) +
                            "\" width=\"7\" height=\"7\" fill=\"none\" stroke-width=\"1.6\" stroke=\"" +
-                           place->second + "\">" + title + "</rect>\n");
+                           colour + "\">" + title + "</rect>\n");
         }
         for (const AccuracyPick& pick : r_.picks) {
             if (!pick.row) continue;
@@ -197,8 +205,8 @@ private:
 
     void legend() {
         const double x = width - right + 16;
-        double y = height - bottom - 18.0 * (static_cast<double>(families_.size()) + 4);
-        y = std::max(y, top + 70);
+        double y = height - bottom - 18.0 * (static_cast<double>(families_.size()) + 6);
+        y = std::max(y, top + 110);
         for (const std::string& family : families_) {
             out_.write("<circle cx=\"" + fixed(x) + "\" cy=\"" + fixed(y - 4) + "\" r=\"4\" fill=\"" +
                        colour_[family] + "\"/>\n");
@@ -207,7 +215,13 @@ private:
         }
         out_.write("<rect x=\"" + fixed(x - 4) + "\" y=\"" + fixed(y - 8) +
                    "\" width=\"7\" height=\"7\" fill=\"none\" stroke=\"black\" stroke-width=\"1.6\"/>\n");
-        text(x + 12, y, "steps split at kinks", "start", 11);
+        text(x + 12, y, "the same, steps split at kinks", "start", 11);
+        y += 18;
+        out_.write("<path d=\"M" + fixed(x - 4) + " " + fixed(y - 8) +
+                   " l8 8 m0 -8 l-8 8\" stroke=\"black\" stroke-width=\"1.4\" fill=\"none\"/>\n");
+        text(x + 12, y, "another projection, search,", "start", 11);
+        y += 14;
+        text(x + 12, y, "sum or number", "start", 11);
         y += 18;
         line(x - 6, y - 4, x + 7, y - 4, "stroke=\"black\" stroke-width=\"1.5\"");
         text(x + 12, y, "Pareto front", "start", 11);
