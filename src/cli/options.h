@@ -93,10 +93,22 @@ struct EvaluateCommand {
     ReadArguments reading;
 };
 
+/// `accuracy`.
 struct AccuracyCommand {
-    bool hard_cases = false; ///< the built-in scenes instead of the user's
-    bool json = false;
+    enum class Format { text, json, csv };
+    enum class Reference { line, nodes, arc };
+
+    bool hard_cases = false;      ///< the built-in scenes instead of the user's
+    std::string path;             ///< a scene
+    std::optional<double> within; ///< tolerance asked for, a share
+    Reference reference = Reference::line;
+    bool all = false;   ///< every setting in the text, not only those on the front
+    bool times = true;  ///< measure them
+    bool quiet = false; ///< no progress
+    Format format = Format::text;
+    std::string svg;  ///< empty: none
     std::string file; ///< empty: standard output
+    ReadArguments reading;
 };
 
 struct RulesCommand {

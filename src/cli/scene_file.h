@@ -3,6 +3,7 @@
 #include "base/result.h"
 #include "force/motion.h"
 #include "model/motion.h"
+#include "study/settings.h"
 
 #include <cstdint>
 #include <optional>
@@ -40,6 +41,8 @@ struct Scene {
         std::vector<int64_t> nodes; ///< empty: all
         std::string csv, vtu;       ///< empty: not wanted; vtu: what the names begin with
     } output;
+    std::optional<ManualSettings>
+        accuracy; ///< how finely the manual's law is evaluated; empty: exactly in time
     bool deck_motion = true;
     std::vector<Motion> motions;
     std::vector<SceneMove> moves; ///< one motion may move several things

@@ -254,6 +254,7 @@ void write_evaluation_text(OutputSink& out, const EvaluationReport& r) {
         difference("restraint", bead.restraint_difference);
         difference("normal force", bead.normal_difference);
         for (const EvaluatedLaw& law : bead.laws) {
+            if (law.effects.empty()) continue;
             out.write("  effects, law " + law.law + '\n');
             write_effects(out, law, 4);
         }
