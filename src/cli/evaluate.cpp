@@ -348,6 +348,24 @@ Result<void> advance(const Loaded& loaded, const Prepared& prepared, Runs& runs,
     return {};
 }
 
+/// Magnitudes far from what forming knows can leave the range of numbers; what is not a number is no result.
+Result<void> all_finite(const Loaded& loaded, const Prepared& prepared, const Runs& runs) {
+    const EvaluationScene& scene = prepared.evaluation.scene;
+    for (std::size_t l = 0; l < prepared.laws.size(); ++l)
+        for (std::size_t b = 0; b < scene.beads.size(); ++b) {
+            const auto step = first_not_finite(runs.of_law[l][b]->history());
+            if (!step) continue;
+            const std::string when =
+                *step < scene.time.size() ? " at t = " + number(scene.time[*step], 6) : " in the energies";
+            return Error{"interface " + std::to_string(scene.beads[b].id) + ", law " +
+                             std::string(name(prepared.laws[l])) + ": numbers leave the range of a double" +
+                             when,
+                         loaded.scene.path.empty() ? loaded.scene.deck : loaded.scene.path, 0, 0,
+                         "look for a limit, stiffness, mass or motion that is far too large"};
+        }
+    return {};
+}
+
 /// The largest value and the earliest time that comes within rounding of it.
 template <class Value>
 Peak peak_of(const EvaluationScene& scene, const Value& value) {
@@ -603,6 +621,7 @@ int run(const EvaluateCommand& command) {
         if (auto done = advance(*loaded, *prepared, runs, samples ? &files : nullptr, !command.quiet); !done)
             return fail(done.error());
         if (!runs.at_rim()) {
+            if (auto numbers = all_finite(*loaded, *prepared, runs); !numbers) return fail(numbers.error());
             if (auto written = files.finish(); !written) return fail(written.error());
             break;
         }

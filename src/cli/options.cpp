@@ -106,8 +106,8 @@ private:
     Words option_names(const CLI::App& command) const;
 
     CLI::App app_{"Checks drawbeads (/INTER/TYPE8) of Radioss and OpenRadioss starter decks.", "drawbead"};
-    CLI::App *check_, *merge_, *fix_, *table_, *info_, *audit_, *evaluate_, *plan_, *rules_, *explain_,
-        *schema_, *completion_;
+    CLI::App *check_, *merge_, *fix_, *table_, *info_, *audit_, *evaluate_, *plan_, *accuracy_, *rules_,
+        *explain_, *schema_, *completion_;
     CheckCommand check_values_;
     MergeCommand merge_values_;
     FixCommand fix_values_;
@@ -115,6 +115,7 @@ private:
     InfoCommand info_values_;
     AuditCommand audit_values_;
     EvaluateCommand evaluate_values_, plan_values_;
+    AccuracyCommand accuracy_values_;
     RulesCommand rules_values_;
     ExplainCommand explain_values_;
     SchemaCommand schema_values_;
@@ -122,7 +123,7 @@ private:
     std::deque<Choice> choices_;
     Choice *check_format_, *fail_on_, *colour_, *merge_format_, *merge_fail_on_, *merge_colour_, *fix_format_,
         *fix_fail_on_, *fix_colour_, *normals_, *table_format_, *info_format_, *audit_law_, *audit_format_,
-        *rules_format_, *evaluate_law_, *plan_law_, *evaluate_format_, *plan_format_;
+        *rules_format_, *evaluate_law_, *plan_law_, *evaluate_format_, *plan_format_, *accuracy_format_;
     Words select_, ignore_, fix_select_, fix_ignore_;
     Words check_outputs_, merge_outputs_, fix_outputs_;
     std::string shard_;
@@ -291,6 +292,15 @@ Parser::Parser() {
     plan_format_ = &choice(plan_, "--format", {"text", "json"}, "How it is printed");
     reading_options(plan_, plan_values_.reading);
 
+    accuracy_ = app_.add_subcommand("accuracy", "What holds where arithmetic is hard");
+    accuracy_->add_flag("--hard-cases", accuracy_values_.hard_cases,
+                        "Run the built-in hard cases: what must hold, and what each law breaks");
+    accuracy_
+        ->add_option("-o,--output", accuracy_values_.file,
+                     "Write the result to a file, all at once when complete")
+        ->type_name("FILE");
+    accuracy_format_ = &choice(accuracy_, "--format", {"text", "json"}, "How it is printed");
+
     rules_ = app_.add_subcommand("rules", "List all rules");
     rules_format_ = &choice(rules_, "--format", {"text", "json"}, "How they are printed");
 
@@ -388,6 +398,8 @@ std::optional<UsageError> Parser::finish() {
     audit_values_.json = index(*audit_format_) == 1;
     audit_values_.law = static_cast<AuditLaw>(index(*audit_law_));
     if (audit_values_.file == "-") audit_values_.file.clear();
+    accuracy_values_.json = index(*accuracy_format_) == 1;
+    if (accuracy_values_.file == "-") accuracy_values_.file.clear();
     rules_values_.json = index(*rules_format_) == 1;
     if (table_values_.file == "-") table_values_.file.clear();
 
@@ -617,6 +629,7 @@ std::variant<Command, UsageError> Parser::parse(int argc, const char* const* arg
     if (audit_->parsed()) return Command{audit_values_};
     if (evaluate_->parsed()) return Command{evaluate_values_};
     if (plan_->parsed()) return Command{plan_values_};
+    if (accuracy_->parsed()) return Command{accuracy_values_};
     if (rules_->parsed()) return Command{rules_values_};
     if (explain_->parsed()) return Command{explain_values_};
     if (schema_->parsed()) return Command{schema_values_};

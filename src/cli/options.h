@@ -115,6 +115,12 @@ struct EvaluateCommand {
     ReadArguments reading;
 };
 
+struct AccuracyCommand {
+    bool hard_cases = false; ///< the built-in scenes instead of the user's
+    bool json = false;
+    std::string file; ///< empty: standard output
+};
+
 struct RulesCommand {
     bool json = false;
 };
@@ -137,8 +143,8 @@ struct PrintCommand {
 };
 
 using Command = std::variant<CheckCommand, MergeCommand, FixCommand, TableCommand, InfoCommand, AuditCommand,
-                             EvaluateCommand, RulesCommand, ExplainCommand, SchemaCommand, CompletionCommand,
-                             PrintCommand>;
+                             EvaluateCommand, AccuracyCommand, RulesCommand, ExplainCommand, SchemaCommand,
+                             CompletionCommand, PrintCommand>;
 
 /// A command line that cannot be understood.
 struct UsageError {

@@ -301,7 +301,10 @@ Result<Scene> parse_scene(std::string_view text, const std::string& path) {
         return failure.error;
     } catch (const YAML::Exception& failure) {
         const bool known = !failure.mark.is_null();
-        return Error{failure.msg, path, known ? static_cast<uint64_t>(failure.mark.line + 1) : 0,
+        // What the library says of brackets in brackets in brackets.
+        const std::string message =
+            failure.msg == YAML::ErrorMsg::BAD_FILE ? "nested too deeply" : failure.msg;
+        return Error{message, path, known ? static_cast<uint64_t>(failure.mark.line + 1) : 0,
                      known ? static_cast<uint32_t>(failure.mark.column + 1) : 0, ""};
     }
 }

@@ -1,6 +1,7 @@
 #include "deck/scan.h"
 
 #include "base/parallel.h"
+#include "deck/keyword_line.h"
 
 #include <algorithm>
 #include <array>
@@ -13,10 +14,15 @@ namespace {
 
 constexpr std::size_t chunk = 64;
 
+/// Whether a line begins at `offset`; the one behind a byte order mark counts.
+bool begins_line(std::string_view bytes, uint64_t offset) {
+    return offset == 0 || bytes[offset - 1] == '\n' || (offset == 3 && byte_order_mark(bytes) == 3);
+}
+
 /// Whether the slash or '#' at `offset` opens a line that the deck reader must look at.
 bool is_mark(std::string_view bytes, uint64_t offset) {
     if (bytes[offset] == '#') {
-        if (offset > 0 && bytes[offset - 1] != '\n') return false;
+        if (!begins_line(bytes, offset)) return false;
         if (offset + 1 >= bytes.size()) return false;
         const char next = bytes[offset + 1];
         return next == 'i' || next == 'I' || next == 'e' || next == 'E' || next == '!';
@@ -25,7 +31,7 @@ bool is_mark(std::string_view bytes, uint64_t offset) {
     uint64_t at = offset;
     while (at > 0 && (bytes[at - 1] == ' ' || bytes[at - 1] == '\t'))
         --at;
-    if (at > 0 && bytes[at - 1] != '\n') return false;
+    if (!begins_line(bytes, at)) return false;
     if (at == offset) return true;
     const char next = offset + 1 < bytes.size() ? bytes[offset + 1] : '\0';
     return (next >= 'A' && next <= 'Z') || next == '/';

@@ -3,6 +3,7 @@
 #include "geometry/closest_foot.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace drawbead {
@@ -94,8 +95,7 @@ struct Bilinear {
     Vec3 operator()(double xi, double eta) const { return centre + xi * a + eta * b + xi * eta * e; }
 };
 
-Foot triangle_foot(const Corners& c, Vec3 x) {
-    const double tolerance = rounding * magnitude(c, x);
+Foot triangle_foot(const Corners& c, Vec3 x, double tolerance) {
     const Vec3 normal = unit(area_vector(c));
     if (!(squared_norm(normal) > 0) || !inside_outline(c, normal, x, tolerance)) {
         Foot foot = closest_on_outline(c, x, tolerance);
@@ -239,17 +239,9 @@ bool stationary_foot(const Bilinear& s, Vec3 x, double& best_xi, double& best_et
     return best < std::numeric_limits<double>::infinity();
 }
 
-} // namespace
-
-Foot closest_foot(const Corners& c, Vec3 x) {
-    if (!is_triangle(c) && !may_be_stationary(Bilinear(c), x))
-        return closest_on_outline(c, x, rounding * magnitude(c, x));
-    return closest_point(c, x);
-}
-
-Foot closest_point(const Corners& c, Vec3 x) {
-    if (is_triangle(c)) return triangle_foot(c, x);
-    const double tolerance = rounding * magnitude(c, x);
+/// Of numbers whose products are numbers.
+Foot foot_of(const Corners& c, Vec3 x, double tolerance) {
+    if (is_triangle(c)) return triangle_foot(c, x, tolerance);
     const Vec3 normal = unit(area_vector(c));
     const Bilinear s(c);
     bool convex = squared_norm(normal) > 0;
@@ -285,6 +277,39 @@ Foot closest_point(const Corners& c, Vec3 x) {
         }
     }
     foot.normal = patch_normal(c, foot.xi, foot.eta);
+    return foot;
+}
+
+Vec3 times_power_of_two(Vec3 a, int exponent) {
+    return {std::ldexp(a.x, exponent), std::ldexp(a.y, exponent), std::ldexp(a.z, exponent)};
+}
+
+/// Products of six lengths would leave the range of numbers.
+bool is_extreme(double size) {
+    return (size < 1e-40 && size > 0) || (size > 1e40 && std::isfinite(size));
+}
+
+} // namespace
+
+Foot closest_foot(const Corners& c, Vec3 x) {
+    const double size = magnitude(c, x);
+    if (!is_triangle(c) && !is_extreme(size) && !may_be_stationary(Bilinear(c), x))
+        return closest_on_outline(c, x, rounding * size);
+    return closest_point(c, x);
+}
+
+Foot closest_point(const Corners& c, Vec3 x) {
+    const double size = magnitude(c, x);
+    if (!is_extreme(size)) return foot_of(c, x, rounding * size);
+    // Near 1 they do not.
+    const int exponent = std::ilogb(size);
+    Corners scaled;
+    for (std::size_t k = 0; k < 4; ++k)
+        scaled[k] = times_power_of_two(c[k], -exponent);
+    const Vec3 at = times_power_of_two(x, -exponent);
+    Foot foot = foot_of(scaled, at, rounding * magnitude(scaled, at));
+    foot.point = times_power_of_two(foot.point, exponent);
+    foot.distance = std::ldexp(foot.distance, exponent);
     return foot;
 }
 

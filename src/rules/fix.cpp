@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <utility>
 
 namespace drawbead {
 
@@ -228,7 +229,12 @@ public:
         bool alone = false;
         while (outcome.rounds < options_.most_rounds) {
             std::vector<Planned> plan = plan_round(*state.checked, alone, outcome.declined);
-            if (plan.empty()) break;
+            if (plan.empty()) {
+                // What did not hold may hold now that other things are repaired.
+                if (!std::exchange(dropped_too_early_, false)) break;
+                dropped_.clear();
+                continue;
+            }
             ++outcome.rounds;
             EditList edits;
             for (const Planned& one : plan)
@@ -241,6 +247,7 @@ public:
                     outcome.applied.push_back(std::move(one.fix));
                 state = std::move(next);
                 alone = false;
+                dropped_too_early_ = !dropped_.empty();
                 continue;
             }
             alone = plan.size() > 1;
@@ -351,6 +358,11 @@ private:
         // What is asked of the deck before, then its memory goes to the deck after.
         CheckedDeck& before = *state.checked;
         const Errors errors(before);
+        std::map<Subject, std::ptrdiff_t> left; // several interfaces may have one id, and one fix each
+        for (const RuleDraft& one : before.drafts)
+            ++left[subject_of(one)];
+        for (const Planned& one : plan)
+            --left[one.subject];
         before.forget();
         EditedReader reader(disk_, *before.deck, edits, options_.threads);
         auto read = read_and_check(path_, reader, reading_, rules_, needs_, options_.threads);
@@ -361,11 +373,10 @@ private:
         for (std::size_t i = 0; i < after.deck->files().size(); ++i)
             if (after.deck->files()[i]->path() != before.deck->files()[i]->path())
                 return "the result would read its files in another order";
-        std::set<Subject> found;
         for (const RuleDraft& one : after.drafts)
-            found.insert(subject_of(one));
+            --left[subject_of(one)];
         for (const Planned& one : plan)
-            if (found.count(one.subject) != 0) return "the finding was still there after the repair";
+            if (left[one.subject] < 0) return "the finding was still there after the repair";
         if (std::string error = errors.first_new(after, plan); !error.empty()) return error;
         next.texts = reader.texts();
         for (std::size_t i = 0; i < next.texts.size(); ++i)
@@ -403,6 +414,7 @@ private:
     std::vector<const Rule*> rules_;
     Needs needs_ = Needs::none;
     std::map<Subject, std::string> dropped_; ///< fixes that did not hold, and why
+    bool dropped_too_early_ = false;         ///< something was repaired since
 };
 
 } // namespace

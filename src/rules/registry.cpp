@@ -82,7 +82,8 @@ namespace drawbead {
     RULE(SYN014)                                                                                             \
     RULE(SYN015)                                                                                             \
     RULE(SYN016)                                                                                             \
-    RULE(SYN017)
+    RULE(SYN017)                                                                                             \
+    RULE(SYN018)
 
 #define DRAWBEAD_DECLARE(code) extern const Rule code;
 DRAWBEAD_RULES(DRAWBEAD_DECLARE)

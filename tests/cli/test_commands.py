@@ -22,7 +22,7 @@ class General(CommandLineTest):
         self.assert_usage_error("a command is missing; see 'drawbead --help'")
         self.assert_usage_error("unknown command 'chekc'; did you mean 'check'?", "chekc", "x")
         self.assert_usage_error("unknown command 'frobnicate'; please give one of check, merge, fix, table, info, audit, "
-                                "evaluate, plan, rules, explain, schema, completion", "frobnicate")
+                                "evaluate, plan, accuracy, rules, explain, schema, completion", "frobnicate")
         self.assert_usage_error("unknown option '--verison'; did you mean '--version'?", "--verison")
         self.assert_usage_error("unexpected argument 'b'; see 'drawbead info --help'", "info", "a", "b")
 
