@@ -11,6 +11,7 @@
 namespace drawbead {
 
 int run(const CheckCommand&);
+int run(const MergeCommand&);
 int run(const FixCommand&);
 int run(const TableCommand&);
 int run(const InfoCommand&);

@@ -9,7 +9,7 @@
 
 namespace drawbead {
 
-enum class Format { full, concise, json };
+enum class Format { full, concise, json, jsonl, csv, sarif, junit, github, gitlab };
 enum class ColourMode { automatic, always, never };
 enum class FailOn { error, warning, info, never };
 
@@ -28,13 +28,34 @@ struct OutputArguments {
     bool quiet = false; ///< no summary, no progress
 };
 
+/// One of the results of a run: its format, and the file that it goes to.
+struct OutputTarget {
+    Format format = Format::full;
+    std::string file; ///< empty: standard output
+};
+
+/// One of `of` equal parts of the decks, from 1.
+struct ShardArgument {
+    uint64_t number = 1, of = 1;
+};
+
 struct CheckCommand {
     std::vector<std::string> paths;
     std::vector<std::string> select, ignore; ///< single entries, as typed
     FailOn fail_on = FailOn::error;
-    Format format = Format::full;
+    std::vector<OutputTarget> outputs; ///< at least one, all different
+    std::optional<ShardArgument> shard;
+    bool statistics = false;
     ReadArguments reading;
-    OutputArguments output;
+    OutputArguments output; ///< `file` is not used
+};
+
+/// Reports of `check` in JSON become one, in any format.
+struct MergeCommand {
+    std::vector<std::string> reports;
+    FailOn fail_on = FailOn::error;
+    std::vector<OutputTarget> outputs;
+    OutputArguments output; ///< `file` is not used
 };
 
 struct FixCommand {
@@ -46,6 +67,7 @@ struct FixCommand {
     bool unsafe = false;
     Normals normals = Normals::surfaces;
     bool json = false;
+    std::vector<OutputTarget> findings; ///< the findings and what would be done about them, in these formats
     FailOn fail_on = FailOn::error;
     ReadArguments reading;
     OutputArguments output; ///< file: where the repaired deck goes, or a folder; "-" standard output
@@ -132,7 +154,7 @@ struct PrintCommand {
     std::string text;
 };
 
-using Command = std::variant<CheckCommand, FixCommand, TableCommand, InfoCommand, AuditCommand,
+using Command = std::variant<CheckCommand, MergeCommand, FixCommand, TableCommand, InfoCommand, AuditCommand,
                              EvaluateCommand, AccuracyCommand, RulesCommand, ExplainCommand, SchemaCommand,
                              CompletionCommand, PrintCommand>;
 

@@ -109,7 +109,18 @@ LineScan scan_lines(std::string_view bytes, unsigned threads) {
 }
 
 uint64_t count_newlines(std::string_view bytes) {
-    return static_cast<uint64_t>(std::count(bytes.begin(), bytes.end(), '\n'));
+    // A byte holds the count of a chunk, so that the compiler adds up sixteen of them at a time.
+    uint64_t newlines = 0;
+    std::size_t at = 0;
+    for (; at + chunk <= bytes.size(); at += chunk) {
+        unsigned char count = 0;
+        for (std::size_t i = 0; i < chunk; ++i)
+            count = static_cast<unsigned char>(count + (bytes[at + i] == '\n'));
+        newlines += count;
+    }
+    for (; at < bytes.size(); ++at)
+        newlines += bytes[at] == '\n';
+    return newlines;
 }
 
 } // namespace drawbead

@@ -35,6 +35,11 @@ struct ResolvedPlace {
     uint64_t line = 0;
     uint32_t column = 0, end_column = 0;
     std::string snippet; ///< the line, at most 160 bytes, control bytes replaced
+    /// The columns in Unicode code points, a byte that is no UTF-8 being one; 0 where they are as in bytes.
+    uint32_t character_column = 0, end_character_column = 0;
+
+    uint32_t in_characters() const { return character_column ? character_column : column; }
+    uint32_t end_in_characters() const { return end_character_column ? end_character_column : end_column; }
 };
 
 /// A number with its unit: "excess force", 4800, "N".
@@ -60,9 +65,24 @@ struct Entities {
     EntityList nodes, segments, elements;
 };
 
+/// A change of a file as it was before: `removed` bytes at `offset` became `text`. `where` has the place of
+/// those bytes without a file name and a snippet; they end at `end_line`, whose columns its end columns
+/// count.
+struct FileEdit {
+    uint64_t offset = 0, removed = 0;
+    ResolvedPlace where;
+    uint64_t end_line = 0;
+    std::string text;
+};
+struct FileChange {
+    std::string path;
+    std::vector<FileEdit> edits;
+};
+
 struct FixOffer {
     std::string title;
     FixAvailability applicability = FixAvailability::safe; ///< safe or unsafe
+    std::vector<FileChange> changes = {};                  ///< what it would do; empty where not asked for
 };
 
 struct Finding {

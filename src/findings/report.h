@@ -58,6 +58,14 @@ struct Summary {
     uint64_t decks = 0, failed = 0, interfaces = 0;
     uint64_t errors = 0, warnings = 0, infos = 0;
     double seconds = 0; ///< of the whole run; 0 where output must be reproducible
+    uint64_t asked = 0; ///< decks that were to be looked at; fewer were when the run was interrupted
+    bool interrupted = false;
+    int exit_status = 0;
+};
+
+/// One of `of` equal parts of a run: every `of`th deck from number `number` on, from 1.
+struct Shard {
+    uint64_t number = 1, of = 1;
 };
 
 struct Report {

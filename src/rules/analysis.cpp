@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace drawbead {
@@ -50,12 +51,27 @@ void check_list(BeadAnalysis& a) {
 
 constexpr SideLimits side_limits{};
 
+/// Of how many nodes one is enough to see whether there is another layer: of a bead whose nodes are closer
+/// than the elements under it, one per four elements, but 8 of them at least; of a long one, 96.
+std::size_t layer_step(const BeadAnalysis& a) {
+    constexpr std::size_t most = 96, least = 8;
+    constexpr double elements = 4;
+    double element = std::numeric_limits<double>::infinity();
+    for (const BeadHit& h : a.hit)
+        element = std::min(element, h.element);
+    const std::size_t count = a.hit.size();
+    const double hop = count > 1 ? a.line.length / static_cast<double>(count - 1) : 0;
+    const double nodes = hop > 0 ? std::min(elements * element / hop, 1e6) : 1;
+    const std::size_t close = std::min(static_cast<std::size_t>(nodes), count / least);
+    return std::max({std::size_t{1}, count / most, close});
+}
+
 /// Another layer of the surface as far from bead nodes as the closest one, or little farther. A long bead is
 /// looked at every few nodes, and closely only when one of these has found something: layers go on.
 void find_other_layers(const NearMesh& mesh, const ClosestSegment& closest, BeadAnalysis& a,
                        unsigned threads) {
     constexpr double ratio = 1.5, elements = 2; // as ContactOptions
-    constexpr std::size_t looked_at = 96, chunk = 16;
+    constexpr std::size_t chunk = 16;
     const auto look = [&](std::size_t i) {
         BeadHit& h = a.hit[i];
         const double distance = h.closest.foot.distance;
@@ -72,7 +88,7 @@ void find_other_layers(const NearMesh& mesh, const ClosestSegment& closest, Bead
                 look(k * step);
         });
     };
-    const std::size_t step = std::max<std::size_t>(1, a.hit.size() / looked_at);
+    const std::size_t step = layer_step(a);
     look_at_every(step);
     if (step > 1 &&
         std::any_of(a.hit.begin(), a.hit.end(), [](const BeadHit& h) { return h.other_layer != no_segment; }))

@@ -2,10 +2,12 @@
 
 #include "base/parallel.h"
 #include "rules/analysis.h"
+#include "rules/planned_changes.h"
 #include "rules/text.h"
 #include "scene/starter.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <tuple>
 #include <unordered_map>
@@ -69,6 +71,20 @@ public:
     void add(Draft draft) override { drafts.push_back(std::move(draft)); }
 
     std::vector<Draft> drafts;
+};
+
+/// Adds the time since the last call to a sum.
+class Laps {
+public:
+    void add_to(std::atomic<uint64_t>& sum) {
+        const Clock::time_point now = Clock::now();
+        sum += static_cast<uint64_t>(std::chrono::nanoseconds(now - last_).count());
+        last_ = now;
+    }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point last_ = Clock::now();
 };
 
 double polyline_length(const Model& model, const NodeGroup& group) {
@@ -141,6 +157,14 @@ ResolvedPlace resolve(const Deck& deck, const Span& span) {
     const uint64_t end = std::min<uint64_t>(at.column + (span.end > begin ? span.end - begin : 0), past_line);
     place.end_column = std::max(static_cast<uint32_t>(end), at.column + 1);
     place.snippet = printable(line.substr(0, longest_snippet));
+    const auto characters = [&](uint32_t column) {
+        const std::string_view before = line.substr(0, column - 1);
+        return static_cast<uint32_t>(column - before.size() + character_count(before));
+    };
+    if (const uint32_t column = characters(place.column); column != place.column)
+        place.character_column = column;
+    if (const uint32_t column = characters(place.end_column); column != place.end_column)
+        place.end_character_column = column;
     return place;
 }
 
@@ -173,7 +197,10 @@ std::optional<std::string> Selection::unknown() const {
 Result<std::unique_ptr<CheckedDeck>> read_and_check(const std::string& path, FileReader& reader,
                                                     const ReadOptions& read_options,
                                                     std::span<const Rule* const> rules, Needs more,
-                                                    unsigned threads) {
+                                                    unsigned threads, CheckTimes* times) {
+    CheckTimes untold(times ? 0 : registry().size());
+    CheckTimes& spent = times ? *times : untold;
+    Laps laps;
     Result<Deck> read = Deck::read(path, reader, read_options);
     if (!read) return read.error();
     Needs needs = Needs::counts | more;
@@ -181,25 +208,37 @@ Result<std::unique_ptr<CheckedDeck>> read_and_check(const std::string& path, Fil
         needs = needs | rule->needs;
     auto checked = std::make_unique<CheckedDeck>();
     checked->deck = std::make_unique<Deck>(std::move(*read));
+    laps.add_to(spent.reading);
     checked->model = Model::build(*checked->deck, needs, threads);
+    laps.add_to(spent.model);
     checked->analysis = analyse(*checked->deck, checked->model, needs, threads);
+    laps.add_to(spent.analysis);
 
     std::vector<Collector> by_rule(rules.size());
-    parallel_for(threads, rules.size(),
-                 [&](std::size_t i) { rules[i]->check(checked->context(), by_rule[i]); });
+    parallel_for(threads, rules.size(), [&](std::size_t i) {
+        Laps mine;
+        rules[i]->check(checked->context(), by_rule[i]);
+        mine.add_to(spent.by_rule[static_cast<std::size_t>(rules[i] - registry().data())]);
+    });
     for (std::size_t i = 0; i < rules.size(); ++i)
         for (Draft& draft : by_rule[i].drafts)
             checked->drafts.push_back({rules[i], std::move(draft)});
     return checked;
 }
 
-DeckResult result_of(const CheckedDeck& checked) {
+DeckResult result_of(const CheckedDeck& checked, bool with_changes) {
     const Deck& deck = *checked.deck;
     const Model& model = checked.model;
     const Analysis& analysis = checked.analysis;
     std::vector<Sorted> all;
-    for (const RuleDraft& one : checked.drafts)
+    std::optional<ChangePlanner> planner;
+    for (const RuleDraft& one : checked.drafts) {
         all.push_back(finding_of(deck, *one.rule, one.draft));
+        std::vector<FixOffer>& offers = all.back().finding.fixes;
+        if (!with_changes || offers.empty()) continue;
+        if (!planner) planner.emplace(checked);
+        planner->add_changes(one, offers);
+    }
     std::stable_sort(all.begin(), all.end(),
                      [](const Sorted& a, const Sorted& b) { return a.key() < b.key(); });
     // A file that is included twice says the same thing at the same place twice.
@@ -225,8 +264,13 @@ DeckResult check_deck(const std::string& path, FileReader& reader, const ReadOpt
     std::vector<const Rule*> rules;
     for (const Rule& rule : registry())
         if (options.selection(rule.info)) rules.push_back(&rule);
-    const auto checked = read_and_check(path, reader, read_options, rules, Needs::none, options.threads);
-    return checked ? result_of(**checked) : unreadable_deck(path, checked.error());
+    Needs more = Needs::none;
+    if (options.with_changes)
+        for (const Rule* rule : rules)
+            more = more | rule->fix_needs;
+    const auto checked =
+        read_and_check(path, reader, read_options, rules, more, options.threads, options.times);
+    return checked ? result_of(**checked, options.with_changes) : unreadable_deck(path, checked.error());
 }
 
 DeckResult describe_deck(const std::string& path, FileReader& reader, const ReadOptions& options) {

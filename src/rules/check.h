@@ -4,6 +4,7 @@
 #include "rules/analysis.h"
 #include "rules/rule.h"
 
+#include <atomic>
 #include <memory>
 #include <span>
 #include <string>
@@ -20,9 +21,18 @@ struct Selection {
     std::optional<std::string> unknown() const;
 };
 
+/// Where the time of a run goes, in nanoseconds, summed over decks and threads.
+struct CheckTimes {
+    explicit CheckTimes(std::size_t rules) : by_rule(rules) {}
+    std::atomic<uint64_t> reading{0}, model{0}, analysis{0};
+    std::vector<std::atomic<uint64_t>> by_rule; ///< as registry()
+};
+
 struct CheckOptions {
     Selection selection;
-    unsigned threads = 1; ///< within one deck
+    unsigned threads = 1;        ///< within one deck
+    bool with_changes = false;   ///< say what each repair that is offered would change
+    CheckTimes* times = nullptr; ///< when asked for
 };
 
 /// What one rule said of one thing.
@@ -50,9 +60,10 @@ struct CheckedDeck {
 /// Runs the rules over a deck that can be read. `more`: needs beyond those of the rules.
 Result<std::unique_ptr<CheckedDeck>> read_and_check(const std::string& path, FileReader&, const ReadOptions&,
                                                     std::span<const Rule* const> rules, Needs more,
-                                                    unsigned threads);
-/// The same as a result that owns what it says: findings sorted by place.
-DeckResult result_of(const CheckedDeck&);
+                                                    unsigned threads, CheckTimes* times = nullptr);
+/// The same as a result that owns what it says: findings sorted by place. `with_changes`: each with what its
+/// repair would change, as rules/planned_changes.h says; the model needs what those repairs look at.
+DeckResult result_of(const CheckedDeck&, bool with_changes = false);
 /// A deck that cannot be read.
 DeckResult unreadable_deck(const std::string& path, const Error&);
 /// A place with its line and column.

@@ -1,5 +1,6 @@
 #include "rules/fix.h"
 
+#include "rules/planned_changes.h"
 #include "rules/support.h"
 #include "rules/text.h"
 
@@ -208,7 +209,8 @@ public:
         : path_(path), disk_(disk), reading_(reading), options_(options) {
         for (const Rule& rule : registry()) {
             rules_.push_back(&rule);
-            if (rule.fix && options.selection(rule.info)) needs_ = needs_ | rule.fix_needs;
+            if (rule.fix && (options.with_changes || options.selection(rule.info)))
+                needs_ = needs_ | rule.fix_needs;
         }
     }
 
@@ -221,7 +223,7 @@ public:
         }
         State state{std::move(*read), {}, {}};
         outcome.original = state.checked;
-        outcome.before = result_of(*state.checked);
+        outcome.before = result_of(*state.checked, options_.with_changes);
         Interfaces interfaces;
         interfaces.take(*state.checked, outcome.before, false);
         bool alone = false;
@@ -427,20 +429,11 @@ FixReport report_of(const FixOutcome& outcome, bool with_edits) {
     report.interfaces = outcome.interfaces;
     report.force_unit = outcome.force_unit;
     for (const FixedFile& file : outcome.files) {
-        FileChange change{file.path, {}};
-        if (!with_edits) {
-            report.files.push_back(std::move(change));
-            continue;
-        }
-        const SourceFile& source = outcome.original->deck->file(file.edits.front().at.file);
-        uint64_t line = 1, counted = 0;
-        for (const Edit& e : file.edits) {
-            line += count_newlines(file.original.substr(counted, e.at.begin - counted));
-            counted = e.at.begin;
-            const auto column = static_cast<uint32_t>(e.at.begin - source.line_begin(e.at.begin)) + 1;
-            change.edits.push_back({e.at.begin, e.at.size(), line, column, e.text});
-        }
-        report.files.push_back(std::move(change));
+        if (with_edits)
+            report.files.push_back(
+                change_of(outcome.original->deck->file(file.edits.front().at.file), file.edits));
+        else
+            report.files.push_back({file.path, {}});
     }
     std::vector<DeckResult> one;
     one.push_back(outcome.after);

@@ -21,6 +21,7 @@ struct FixOptions {
     FixChoices choices;
     unsigned threads = 1;
     unsigned most_rounds = 24;
+    bool with_changes = false; ///< `before` says what each repair that is offered would change
 };
 
 /// A file that changed.

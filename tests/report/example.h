@@ -30,6 +30,10 @@ inline Report example_report() {
     flipped.help = "reverse the 412 segments, or give the bead a surface of its own";
     flipped.fixes = {{"signed groups in a surface of its own", FixAvailability::safe},
                      {"reverse the elements", FixAvailability::unsafe}};
+    // In a line that begins with a word in UTF-8, and a text in Latin-1.
+    FileEdit turned{120, 4, {"", 12, 4, 8, "", 3, 7}, 12, "B\xf6rdel {new}\n"};
+    FileEdit dropped{300, 11, {"", 15, 1, 1, "", 0, 0}, 16, ""};
+    flipped.fixes[0].changes = {{"decks/blank.inc", {turned, dropped}}};
     flipped.fingerprint = "0123456789abcdef";
 
     // Latin-1 in a name, an escape sequence in a title, UTF-8 before the caret.
@@ -38,7 +42,7 @@ inline Report example_report() {
     odd.name = "unit-suspect";
     odd.severity = Severity::warning;
     odd.message = "title 'B\xf6rdel \x1b[31m' of \xce\xbc = 3";
-    odd.places = {{"decks/hood_0000.rad", 9, 4, 5, "\xce\xbc= x"}};
+    odd.places = {{"decks/hood_0000.rad", 9, 4, 5, "\xce\xbc= x", 3, 4}};
     odd.fingerprint = "00000000000000ff";
 
     // No place at all.
