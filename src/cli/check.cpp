@@ -4,6 +4,7 @@
 #include "cli/commands.h"
 #include "cli/paths.h"
 #include "cli/reading.h"
+#include "cli/scene_times.h"
 #include "cli/selection.h"
 #include "report/writer.h"
 
@@ -25,16 +26,28 @@ namespace {
 constexpr std::size_t finished_ahead = 64;
 
 DeckResult check_one(const DeckPath& deck, const CheckCommand& command, const Selection& selection,
-                     unsigned threads) {
+                     unsigned threads, const std::optional<SceneMotion>& scene) {
     if (deck.failed()) return failed_deck(deck.path, deck.failure, deck.help);
     try {
         const Result<DeckSource> source = deck_source(deck.path, command.reading);
         if (!source) return failed_deck(deck.path, source.error().message);
         return check_deck(source->name, *source->reader, read_options(command.reading, threads),
-                          {selection, threads});
+                          {selection, threads, scene});
     } catch (const std::bad_alloc&) {
         return failed_deck(deck.path, "out of memory", "check fewer decks at a time with -j");
     }
+}
+
+/// What the rules take of a scene.
+SceneMotion scene_motion(const Scene& scene, double end) {
+    SceneMotion out;
+    out.prescribed = prescribed_by(scene);
+    out.targets = targets_of(scene);
+    out.end = end;
+    out.path = scene.path;
+    for (const SceneMove& move : scene.moves)
+        out.places.push_back({move.place.line, move.place.column});
+    return out;
 }
 
 /// Takes results in any order and passes them on in deck order. Whoever is too far ahead waits, so that
@@ -97,7 +110,18 @@ int run(const CheckCommand& command) {
         out = std::move(*file);
     }
 
-    const std::vector<DeckPath> decks = find_decks(command.paths);
+    std::vector<DeckPath> decks = find_decks(command.paths);
+    std::optional<SceneMotion> scene;
+    if (!command.scene.empty()) {
+        Result<Scene> read = read_scene(command.scene);
+        const Result<SceneTimes> times = read ? times_of(*read) : read.error();
+        if (!times) {
+            say_error(times.error());
+            return exit_failed;
+        }
+        decks = find_decks({read->deck});
+        scene = scene_motion(*read, times->time.back());
+    }
     // Several decks are checked side by side; threads that are left over help within each.
     const unsigned threads = thread_count(command.reading);
     const unsigned side_by_side = static_cast<unsigned>(std::clamp<std::size_t>(decks.size(), 1, threads));
@@ -123,7 +147,7 @@ int run(const CheckCommand& command) {
     });
     parallel_for(side_by_side, decks.size(), [&](std::size_t i) {
         results.wait_for_turn(i);
-        results.add(i, stop ? DeckResult{} : check_one(decks[i], command, *selection, within));
+        results.add(i, stop ? DeckResult{} : check_one(decks[i], command, *selection, within, scene));
     });
     writer->end(summary);
     progress.clear();

@@ -85,9 +85,12 @@ Parser::Parser() {
         check_
             ->add_option("PATH", check_values_.paths,
                          "Decks, folders (all *_0000.rad below), patterns, - for standard input")
-            ->required()
             ->type_name("");
     suggestions_[paths] = {};
+    check_
+        ->add_option("--scene", check_values_.scene,
+                     "A scene as evaluate reads it: its deck, with its motion instead of the deck's own")
+        ->type_name("FILE");
     Words with_names = rule_words(true);
     suggestions_[check_
                      ->add_option(
@@ -287,6 +290,10 @@ std::optional<UsageError> Parser::finish() {
     const auto index = [](const Choice& one) {
         return std::find(one.words.begin(), one.words.end(), one.value) - one.words.begin();
     };
+    if (check_->parsed() && check_values_.paths.empty() && check_values_.scene.empty())
+        return UsageError{"check needs an argument: PATH is required", "see 'drawbead check --help'"};
+    if (!check_values_.paths.empty() && !check_values_.scene.empty())
+        return UsageError{"--scene names its deck itself", "please leave out PATH or --scene"};
     check_values_.format = static_cast<Format>(index(*check_format_));
     check_values_.fail_on = static_cast<FailOn>(index(*fail_on_));
     check_values_.output.colour = static_cast<ColourMode>(index(*colour_));

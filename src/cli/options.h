@@ -29,7 +29,8 @@ struct OutputArguments {
 };
 
 struct CheckCommand {
-    std::vector<std::string> paths;
+    std::vector<std::string> paths;          ///< none with a scene
+    std::string scene;                       ///< names the deck, and how things move; empty: none
     std::vector<std::string> select, ignore; ///< single entries, as typed
     FailOn fail_on = FailOn::error;
     Format format = Format::full;

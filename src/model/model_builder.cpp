@@ -68,6 +68,7 @@ private:
         if (with_motion())
             motion_ = targets_ ? target_options(index_, *targets_, model_.drawbeads_)
                                : read_motion_options(deck_, index_, issues_);
+        if (with_motion() && targets_) add_loads(deck_, index_, issues_, motion_);
     }
 
     /// Groups and surfaces that drawbeads use, each once, in the order in which they are first used.

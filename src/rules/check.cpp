@@ -124,6 +124,16 @@ DeckInfo describe(const Deck& deck, const Model& model) {
     return info;
 }
 
+/// An error at the first target of a scene that the deck does not have.
+Result<void> targets_exist(const SceneMotion& scene, const Model& model) {
+    const auto& held = model.motion().target_nodes;
+    for (std::size_t i = 0; i < held.size(); ++i)
+        if (!held[i])
+            return Error{std::to_string(scene.targets[i].id) + " does not exist in the deck", scene.path,
+                         scene.places[i].line, scene.places[i].column, ""};
+    return {};
+}
+
 } // namespace
 
 ResolvedPlace resolve(const Deck& deck, const Span& span) {
@@ -173,7 +183,8 @@ std::optional<std::string> Selection::unknown() const {
 Result<std::unique_ptr<CheckedDeck>> read_and_check(const std::string& path, FileReader& reader,
                                                     const ReadOptions& read_options,
                                                     std::span<const Rule* const> rules, Needs more,
-                                                    unsigned threads) {
+                                                    unsigned threads,
+                                                    const std::optional<SceneMotion>& scene) {
     Result<Deck> read = Deck::read(path, reader, read_options);
     if (!read) return read.error();
     Needs needs = Needs::counts | more;
@@ -181,8 +192,18 @@ Result<std::unique_ptr<CheckedDeck>> read_and_check(const std::string& path, Fil
         needs = needs | rule->needs;
     auto checked = std::make_unique<CheckedDeck>();
     checked->deck = std::make_unique<Deck>(std::move(*read));
-    checked->model = Model::build(*checked->deck, needs, threads);
-    checked->analysis = analyse(*checked->deck, checked->model, needs, threads);
+    RunFacts run;
+    if (has(needs, analysis_run)) run.engine = read_engine_deck(path, reader);
+    if (scene) {
+        run.prescribed = scene->prescribed;
+        run.scene_end = scene->end;
+    }
+    checked->model = scene && !scene->prescribed.by_deck
+                         ? Model::build(*checked->deck, needs, threads, scene->targets)
+                         : Model::build(*checked->deck, needs, threads);
+    if (scene && !scene->prescribed.by_deck)
+        if (auto all = targets_exist(*scene, checked->model); !all) return all.error();
+    checked->analysis = analyse(*checked->deck, checked->model, needs, threads, std::move(run));
 
     std::vector<Collector> by_rule(rules.size());
     parallel_for(threads, rules.size(),
@@ -225,7 +246,8 @@ DeckResult check_deck(const std::string& path, FileReader& reader, const ReadOpt
     std::vector<const Rule*> rules;
     for (const Rule& rule : registry())
         if (options.selection(rule.info)) rules.push_back(&rule);
-    const auto checked = read_and_check(path, reader, read_options, rules, Needs::none, options.threads);
+    const auto checked =
+        read_and_check(path, reader, read_options, rules, Needs::none, options.threads, options.scene);
     return checked ? result_of(**checked) : unreadable_deck(path, checked.error());
 }
 

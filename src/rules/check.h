@@ -5,6 +5,7 @@
 #include "rules/rule.h"
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -20,9 +21,24 @@ struct Selection {
     std::optional<std::string> unknown() const;
 };
 
+/// What a scene says of the motion, instead of the deck and the engine deck beside it.
+struct SceneMotion {
+    PrescribedMotion prescribed;
+    std::vector<MotionTarget> targets; ///< what its moves name; for the deck's own motion none
+    double end = 0;                    ///< of the run
+    /// Where each target stands, for errors.
+    struct Place {
+        uint64_t line = 0;
+        uint32_t column = 0;
+    };
+    std::string path;
+    std::vector<Place> places;
+};
+
 struct CheckOptions {
     Selection selection;
     unsigned threads = 1; ///< within one deck
+    std::optional<SceneMotion> scene;
 };
 
 /// What one rule said of one thing.
@@ -50,7 +66,8 @@ struct CheckedDeck {
 /// Runs the rules over a deck that can be read. `more`: needs beyond those of the rules.
 Result<std::unique_ptr<CheckedDeck>> read_and_check(const std::string& path, FileReader&, const ReadOptions&,
                                                     std::span<const Rule* const> rules, Needs more,
-                                                    unsigned threads);
+                                                    unsigned threads,
+                                                    const std::optional<SceneMotion>& scene = {});
 /// The same as a result that owns what it says: findings sorted by place.
 DeckResult result_of(const CheckedDeck&);
 /// A deck that cannot be read.
