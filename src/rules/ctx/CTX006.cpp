@@ -27,7 +27,7 @@ void check(const RuleContext& context, FindingSink& sink) {
                     ", and beads draw the refinement on; all that is said here of segments, "
                     "distances and stiffness holds for the mesh of the deck, the limits of " +
                     quantity(fn, units, force_dimension) + " of Fn and " +
-                    quantity(ft, units, force_dimension) + " of Ft in any case: 0 N, 0 % of their total";
+                    quantity(ft, units, force_dimension) + " of Ft stay: 0 N, 0 % of their total";
     sink.add(std::move(draft));
 }
 

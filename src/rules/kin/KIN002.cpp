@@ -39,7 +39,7 @@ Affected in_reach_at_start(const BeadAnalysis& a, const InterfaceContact& first)
     for (std::size_t i = 0; i < a.x.size(); ++i) {
         const BeadNodeContact& n = first.contact.node[i];
         if (!n.inside || !(n.penetration > 0)) continue;
-        if (a.side.node.size() == a.x.size() && a.side.node[i] == Facing::away) continue; // SRF001
+        if (a.side.node.size() == a.x.size() && a.side.node[i] != Facing::toward) continue; // SRF001, SRF004
         const double share = std::min(n.penetration / a.bead->depth, 1.0);
         out.place.push_back(i);
         out.fn += share * a.fn_force(i);
@@ -56,13 +56,13 @@ void check(const RuleContext& context, FindingSink& sink) {
             const InterfaceContact* first = first_cycle(context, *a);
             if (first == nullptr || bead.fn_first == 0) continue;
             const Affected nodes = in_reach_at_start(*a, *first);
-            if (!nodes.place.empty()) say(context, *a, nodes, nullptr, sink);
+            if (nodes.fn != 0) say(context, *a, nodes, nullptr, sink);
             continue;
         }
         const BeadPath* path = path_of(context, *a);
         if (path == nullptr || !path->opens) continue;
         const Affected nodes = affected(*a, *path, [](const NodePath& node) { return node.opening_share; });
-        if (!nodes.place.empty()) say(context, *a, nodes, path, sink);
+        if (nodes.fn != 0 || nodes.ft != 0) say(context, *a, nodes, path, sink);
     }
 }
 

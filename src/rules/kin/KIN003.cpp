@@ -14,11 +14,7 @@ void check(const RuleContext& context, FindingSink& sink) {
     for (const BeadAnalysis* a : beads_with_nodes(context)) {
         const BeadPath* path = path_of(context, *a);
         if (path == nullptr || !path->bead_moves || a->ft_total == 0) continue;
-        // What an inclined sheet takes of the way along the ramp is no sideways motion.
-        const double on_ramp = 0.5 * std::max(a->bead->depth, 0.0);
-        const auto sideways = [&](const NodePath& node) {
-            return node.tool_way > on_ramp && node.tool_way > 0.1 * node.element;
-        };
+        const auto sideways = [&](const NodePath& node) { return moves_sideways(*a, node); };
         const Affected nodes =
             affected(*a, *path, [&](const NodePath& node) { return sideways(node) ? 1.0 : 0.0; });
         if (nodes.place.empty()) continue;

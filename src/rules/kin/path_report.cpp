@@ -4,6 +4,8 @@
 #include "rules/lin/bead_report.h"
 #include "rules/text.h"
 
+#include <algorithm>
+
 namespace drawbead {
 
 const BeadPath* path_of(const RuleContext& context, const BeadAnalysis& a) {
@@ -37,6 +39,10 @@ Draft draft_at_affected(const RuleContext& context, const BeadAnalysis& a, const
     }
     draft.place_count = nodes.place.size();
     return draft;
+}
+
+bool moves_sideways(const BeadAnalysis& a, const NodePath& node) {
+    return node.tool_way > 0.5 * std::max(a.bead->depth, 0.0) && node.tool_way > 0.1 * node.element;
 }
 
 void note_blank(const BeadPath& path, Draft& draft) {

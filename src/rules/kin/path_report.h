@@ -29,6 +29,10 @@ Draft draft_at_affected(const RuleContext&, const BeadAnalysis&, const Affected&
 /// A note when the blank's motion is not known, and how it was taken.
 void note_blank(const BeadPath&, Draft&);
 
+/// Whether the node goes across the bead, in reach of the sheet, by more than an inclined sheet takes of the
+/// way along the ramp.
+bool moves_sideways(const BeadAnalysis&, const NodePath&);
+
 /// Where the end of the run comes from; empty when it is not known.
 std::string end_text(const RuleContext&);
 

@@ -3,6 +3,7 @@
 #include "geometry/segment_shape.h"
 #include "rules/analysis.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace drawbead {
@@ -34,6 +35,11 @@ std::optional<double> node_mass(const Model& model, const Surface& surface, cons
                                 uint32_t local) {
     double sum = 0;
     for (const uint32_t around : near.segments_around(local)) {
+        const uint32_t segment = near.segment_index[around];
+        const auto coated = std::lower_bound(surface.coated.begin(), surface.coated.end(), segment,
+                                             [](const CoatedSolid& c, uint32_t s) { return c.segment < s; });
+        if (coated != surface.coated.end() && coated->segment == segment)
+            return std::nullopt; // the solid behind has mass too
         const auto mass =
             mass_per_node(model, surface.segments[near.segment_index[around]], near.corners(around));
         if (!mass) return std::nullopt;
