@@ -23,8 +23,8 @@ void check(const RuleContext& context, FindingSink& sink) {
                         quantity(risk->contact(), units, force_per_length_dimension) + " (" +
                         (ramp ? "ramp of Fn" : "sticking restraint") +
                         "), which the solver's time step does not know: stable steps are " +
-                        number(100 * risk->ratio(), 3) +
-                        " % of the elements'; at stake: " + force_text(context, *a, fn, ft);
+                        number(100 * risk->ratio(), 3) + " % of the elements'; at stake: " +
+                        (ramp ? fn_force_text(context, *a, fn) : ft_force_text(context, *a, ft));
         const std::string time = unit_name(units, time_dimension);
         draft.measured.push_back({"step of the elements", risk->element_step, time});
         draft.measured.push_back({"step with the bead", risk->ratio() * risk->element_step, time});
