@@ -10,6 +10,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <memory>
 
 namespace drawbead {
 
@@ -70,21 +71,22 @@ private:
                     "bead node " + std::to_string(value(model_.nodes().user_id(row))) + ": " + known.why;
                 return path;
             }
-        std::string key;
-        bool first = true;
-        for (const uint32_t row : contact_.surfaces[*one.bead->surface].mesh.node_row) {
-            const ClassMotion& known = classes_.of(NodeRow{row});
+        const NearMesh& mesh = contact_.surfaces[*one.bead->surface].mesh;
+        std::optional<uint32_t> last; // class
+        for (const uint32_t row : mesh.node_row) {
+            const uint32_t number = model_.motion().of_node[row];
+            if (last == number) continue;
+            const ClassMotion& known = classes_.of_class(number);
             if (!known.motion) {
                 path.blank_unknown =
                     "node " + std::to_string(model_.nodes().id[row]) + " of the blank: " + known.why;
                 return path;
             }
-            if (!first && known.key != key) {
+            if (last && known.key != classes_.of_class(*last).key) {
                 path.unknown = "the blank deforms";
                 return path;
             }
-            first = false;
-            key = known.key;
+            last = number;
         }
         return path;
     }
@@ -142,13 +144,25 @@ private:
         std::vector<ClosestHit> hit(seen.size());
         NearMesh larger;
         const NearMesh* used = &mesh;
-        if (!find_all(mesh, seen, hit)) {
+        // Where a node has not moved, the contact of the first cycle has the answer.
+        bool moved = false;
+        for (std::size_t i = 0; i < path.node.size(); ++i) {
+            const uint32_t place = path.node[i].place;
+            const ClosestHit& start = one.contact.node[place].exact;
+            for (std::size_t k = 0; k < steps; ++k)
+                if (start.found() && start.exact && seen[i * steps + k] == one.x[place])
+                    hit[i * steps + k] = start;
+                else
+                    moved = true;
+        }
+        if (moved && !find_all(tree_of(*bead.surface), mesh, seen, hit)) {
             std::vector<Vec3> near;
             std::copy_if(seen.begin(), seen.end(), std::back_inserter(near),
                          [&](Vec3 x) { return !is_far(mesh, x); });
             larger = mesh_for_closest(segment_mesh(model_, *one.surface), near, 0, request_.threads);
             used = &larger;
-            if (!find_all(larger, seen, hit) || !moves_alike(larger, path)) {
+            hit.assign(seen.size(), {});
+            if (!find_all(ClosestSegment(larger), larger, seen, hit) || !moves_alike(larger, path)) {
                 path = {};
                 path.unknown = "the bead comes to a part of the blank that moves differently";
                 return;
@@ -244,21 +258,29 @@ private:
         return !(norm(gap) <= 4 * size) || !std::isfinite(x.x + x.y + x.z);
     }
 
-    /// False: a part of the surface outside of the mesh may be closer somewhere.
-    bool find_all(const NearMesh& mesh, const std::vector<Vec3>& points, std::vector<ClosestHit>& hit) const {
-        const ClosestSegment closest(mesh);
+    /// Over the part of a surface that the contact has made; built once.
+    const ClosestSegment& tree_of(uint32_t surface) {
+        std::unique_ptr<const ClosestSegment>& tree = trees_[surface];
+        if (!tree) tree = std::make_unique<const ClosestSegment>(contact_.surfaces[surface].mesh);
+        return *tree;
+    }
+
+    /// Finds what is not found yet. False: a part of the surface outside of the mesh may be closer somewhere.
+    bool find_all(const ClosestSegment& closest, const NearMesh& mesh, const std::vector<Vec3>& points,
+                  std::vector<ClosestHit>& hit) const {
         std::atomic<bool> exact = true;
         constexpr std::size_t chunk = 256;
         parallel_for(request_.threads, (points.size() + chunk - 1) / chunk, [&](std::size_t piece) {
             const std::size_t end = std::min(points.size(), (piece + 1) * chunk);
             for (std::size_t i = piece * chunk; i < end && exact; ++i) {
+                if (hit[i].found()) continue;
                 if (is_far(mesh, points[i])) {
                     hit[i].foot.distance = hit[i].d = std::numeric_limits<double>::max();
                     continue;
                 }
-                // Where nothing moves, one look is enough.
-                hit[i] =
-                    i > piece * chunk && points[i] == points[i - 1] ? hit[i - 1] : closest.find(points[i]);
+                // At rest one look is enough.
+                const bool again = i > piece * chunk && points[i] == points[i - 1];
+                hit[i] = again ? hit[i - 1] : closest.find(points[i]);
                 if (!hit[i].exact || !hit[i].found()) exact = false;
             }
         });
@@ -332,6 +354,7 @@ private:
     const DeckContact& contact_;
     const PathRequest& request_;
     ClassMotions classes_;
+    std::map<uint32_t, std::unique_ptr<const ClosestSegment>> trees_; ///< by surface
 };
 
 } // namespace
