@@ -116,7 +116,7 @@ bool take_hits(const NearMesh& mesh, const std::vector<InterfaceContact>& contac
 /// How many elements on either side of the beads of a surface are judged: some, or as far as the beads
 /// travel.
 double side_reach_of(const Analysis& all, const std::vector<BeadAnalysis*>& beads) {
-    constexpr double most = 100;
+    constexpr double most = 30; // the part of the surface grows with it
     double reach = side_limits.reach;
     for (const BeadAnalysis* a : beads) {
         const auto b = static_cast<std::size_t>(a - all.beads.data());

@@ -16,8 +16,8 @@ namespace drawbead {
 
 namespace {
 
-constexpr std::size_t most_queries = 40'000; // of closest segments, in the whole deck
-constexpr std::size_t even_times = 48, most_corners = 160;
+constexpr std::size_t most_queries = 16'000; // of closest segments, in the whole deck
+constexpr std::size_t even_times = 32, most_corners = 160;
 constexpr double never = 1e29;
 
 /// Where the tail of equal values begins: of zeros for a velocity.
