@@ -123,8 +123,11 @@ private:
     SchemaCommand schema_values_;
     CompletionCommand completion_values_;
     std::deque<Choice> choices_;
-    CLI::App *check_, *merge_, *fix_, *table_, *info_, *audit_, *evaluate_, *plan_, *accuracy_, *rules_,
-        *explain_, Words select_, ignore_, fix_select_, fix_ignore_;
+    Choice *check_format_, *fail_on_, *colour_, *merge_format_, *merge_fail_on_, *merge_colour_, *fix_format_,
+        *fix_fail_on_, *fix_colour_, *normals_, *table_format_, *info_format_, *audit_law_, *audit_format_,
+        *rules_format_, *evaluate_law_, *plan_law_, *evaluate_format_, *plan_format_, *accuracy_reference_,
+        *accuracy_format_;
+    Words select_, ignore_, fix_select_, fix_ignore_;
     Words check_outputs_, merge_outputs_, fix_outputs_;
     std::string shard_;
     Words force_effects_;
@@ -147,9 +150,12 @@ Parser::Parser() {
         check_
             ->add_option("PATH", check_values_.paths,
                          "Decks, folders (all *_0000.rad below), patterns, - for standard input")
-            ->required()
             ->type_name("");
     suggestions_[paths] = {};
+    check_
+        ->add_option("--scene", check_values_.scene,
+                     "A scene as evaluate reads it: its deck, with its motion instead of the deck's own")
+        ->type_name("FILE");
     Words with_names = rule_words(true);
     suggestions_[check_
                      ->add_option(
@@ -307,11 +313,12 @@ Parser::Parser() {
                      ->add_option(
                          "NAME", schema_values_.name,
                          "report: what check --format json writes; lines: with --format jsonl, each\n"
-                         "line; audit, evaluation, fix, plan, table: what these do; scene: what\n"
+                         "line; accuracy, audit, evaluation, fix, plan, table: what these do;\n"
+                         "scene: what\n"
                          "evaluate reads")
                      ->required()
-                     ->type_name("")] = {"audit", "evaluation", "fix",   "lines",
-                                         "plan",  "report",     "scene", "table"};
+                     ->type_name("")] = {"accuracy", "audit",  "evaluation", "fix",  "lines",
+                                         "plan",     "report", "scene",      "table"};
 
     completion_ = app_.add_subcommand("completion", "Print a completion script for a shell");
     suggestions_[completion_->add_option("SHELL", completion_values_.shell, "bash, zsh or fish")
@@ -435,6 +442,10 @@ std::optional<UsageError> Parser::finish() {
     const auto index = [](const Choice& one) {
         return std::find(one.words.begin(), one.words.end(), one.value) - one.words.begin();
     };
+    if (check_->parsed() && check_values_.paths.empty() && check_values_.scene.empty())
+        return UsageError{"check needs an argument: PATH is required", "see 'drawbead check --help'"};
+    if (!check_values_.paths.empty() && !check_values_.scene.empty())
+        return UsageError{"--scene names its deck itself", "please leave out PATH or --scene"};
     if (std::optional<UsageError> error = finish_reports()) return error;
     check_values_.fail_on = static_cast<FailOn>(index(*fail_on_));
     check_values_.output.colour = static_cast<ColourMode>(index(*colour_));

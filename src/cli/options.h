@@ -40,7 +40,8 @@ struct ShardArgument {
 };
 
 struct CheckCommand {
-    std::vector<std::string> paths;
+    std::vector<std::string> paths;          ///< none with a scene
+    std::string scene;                       ///< names the deck, and how things move; empty: none
     std::vector<std::string> select, ignore; ///< single entries, as typed
     FailOn fail_on = FailOn::error;
     std::vector<OutputTarget> outputs; ///< at least one, all different

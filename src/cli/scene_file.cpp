@@ -361,6 +361,22 @@ Result<Scene> read_scene(const std::string& path) {
     return parse_scene(text.str(), path);
 }
 
+PrescribedMotion prescribed_by(const Scene& scene) {
+    PrescribedMotion out;
+    out.by_deck = scene.deck_motion;
+    out.motions = scene.motions;
+    for (const SceneMove& move : scene.moves)
+        out.motion_of_target.push_back(move.motion);
+    return out;
+}
+
+std::vector<MotionTarget> targets_of(const Scene& scene) {
+    std::vector<MotionTarget> out;
+    for (const SceneMove& move : scene.moves)
+        out.push_back(move.target);
+    return out;
+}
+
 std::vector<double> equal_steps(double end, std::optional<double> step, std::optional<uint64_t> steps) {
     std::vector<double> t;
     if (steps) {
