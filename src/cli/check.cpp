@@ -6,6 +6,7 @@
 #include "cli/outputs.h"
 #include "cli/paths.h"
 #include "cli/reading.h"
+#include "cli/scene_times.h"
 #include "cli/selection.h"
 #include "report/table.h"
 #include "report/writer.h"
@@ -37,6 +38,18 @@ DeckResult check_one(const DeckPath& deck, const ReadArguments& reading, const C
     } catch (const std::bad_alloc&) {
         return failed_deck(deck.path, "out of memory", "check fewer decks at a time with -j");
     }
+}
+
+/// What the rules take of a scene.
+SceneMotion scene_motion(const Scene& scene, double end) {
+    SceneMotion out;
+    out.prescribed = prescribed_by(scene);
+    out.targets = targets_of(scene);
+    out.end = end;
+    out.path = scene.path;
+    for (const SceneMove& move : scene.moves)
+        out.places.push_back({move.place.line, move.place.column});
+    return out;
 }
 
 /// Takes results in any order and passes them on in deck order; one that is not there is passed on, too.
@@ -140,7 +153,20 @@ int run(const CheckCommand& command) {
         return exit_failed;
     }
     note_interrupts();
-    std::vector<DeckPath> decks = find_decks(command.paths);
+    std::vector<DeckPath> decks;
+    std::optional<SceneMotion> scene;
+    if (command.scene.empty()) {
+        decks = find_decks(command.paths);
+    } else {
+        Result<Scene> read = read_scene(command.scene);
+        const Result<SceneTimes> times = read ? times_of(*read) : read.error();
+        if (!times) {
+            say_error(times.error());
+            return exit_failed;
+        }
+        decks = find_decks({read->deck});
+        scene = scene_motion(*read, times->time.back());
+    }
     const std::vector<RuleInfo> rules = rule_catalogue();
     WriterOptions options;
     options.tool_version = tool_version();
@@ -168,8 +194,8 @@ int run(const CheckCommand& command) {
     const bool changes = std::any_of(command.outputs.begin(), command.outputs.end(),
                                      [](const OutputTarget& one) { return holds_changes(one.format); });
     Statistics statistics;
-    const CheckOptions checking{*selection, within, changes,
-                                command.statistics ? &statistics.times : nullptr};
+    const CheckOptions checking{*selection, within, changes, command.statistics ? &statistics.times : nullptr,
+                                std::move(scene)};
 
     if (decks.size() > 1) keep_memory();
 

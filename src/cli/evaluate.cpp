@@ -1,21 +1,22 @@
+#include "cli/evaluation_input.h"
+
 #include "cli/commands.h"
 #include "cli/nearest.h"
 #include "cli/reading.h"
 #include "cli/scene_file.h"
+#include "cli/scene_times.h"
 
 #include "base/parallel.h"
-#include "deck/number.h"
+#include "deck/engine_deck.h"
 #include "force/evaluator.h"
-#include "force/trace.h"
-#include "force/trace_times.h"
 #include "report/evaluation.h"
 #include "rules/text.h"
-#include "scene/deck_evaluation.h"
+#include "scene/holding_force.h"
+#include "study/stepped_run.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <map>
 #include <unistd.h>
@@ -26,7 +27,9 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-bool is_scene(const std::string& path) {
+} // namespace
+
+bool is_scene_file(const std::string& path) {
     const auto ends = [&](std::string_view ending) {
         return path.size() > ending.size() &&
                path.compare(path.size() - ending.size(), ending.size(), ending) == 0;
@@ -34,54 +37,32 @@ bool is_scene(const std::string& path) {
     return ends(".yaml") || ends(".yml");
 }
 
-/// The end of the run, from the engine deck beside NAME_0000.rad: the card of its /RUN.
-std::optional<double> end_of_run(const std::string& deck) {
-    const std::size_t at = deck.rfind("_0000.rad");
-    if (at == std::string::npos) return {};
-    std::ifstream file(deck.substr(0, at) + "_0001.rad");
-    bool run = false;
-    for (std::string line; std::getline(file, line);) {
-        if (line.empty() || line[0] == '#' || line[0] == '$') continue;
-        if (line[0] == '/') {
-            run = line.rfind("/RUN/", 0) == 0;
-            continue;
-        }
-        if (const double end = run ? parse_real(line).value : 0; end > 0) return end;
-        run = false;
-    }
-    return {};
-}
+namespace {
 
 /// The scene of a command line that names a deck.
-Result<Scene> scene_of_deck(const EvaluateCommand& command) {
+Scene scene_of_deck(const EvaluateCommand& command) {
     Scene scene;
     scene.deck = command.path;
     scene.time.trace = command.trace;
     if (!command.trace.empty()) return scene;
-    scene.time.end = command.end ? command.end : end_of_run(command.path);
-    if (!scene.time.end)
-        return Error{"the end of the run is not known", command.path, 0, 0,
-                     "please give --end, --trace or a scene"};
+    scene.time.end = command.end;
+    if (!scene.time.end) {
+        DiskReader disk;
+        if (const auto engine = read_engine_deck(command.path, disk)) scene.time.end = engine->end;
+    }
     scene.time.step = command.step;
     scene.time.steps = command.steps;
     if (!scene.time.step && !scene.time.steps) scene.time.steps = 1000;
     return scene;
 }
 
-/// Everything that a run needs, from files.
-struct Loaded {
-    Scene scene;
-    std::unique_ptr<Deck> deck;
-    Model model;
-    std::vector<double> time, dt;
-    std::vector<std::string> notes;
-    unsigned threads = 1;
-};
+} // namespace
 
-Result<Loaded> load(const EvaluateCommand& command) {
+Result<Loaded> load_scene(const EvaluateCommand& command) {
     Loaded out;
     out.threads = thread_count(command.reading);
-    Result<Scene> scene = is_scene(command.path) ? read_scene(command.path) : scene_of_deck(command);
+    Result<Scene> scene =
+        is_scene_file(command.path) ? read_scene(command.path) : Result<Scene>(scene_of_deck(command));
     if (!scene) return scene.error();
     out.scene = std::move(*scene);
     Scene& s = out.scene;
@@ -102,13 +83,13 @@ Result<Loaded> load(const EvaluateCommand& command) {
         return error;
     }
     out.deck = std::make_unique<Deck>(std::move(*deck));
+    if (s.time.trace.empty() && !s.time.end)
+        return Error{"the end of the run is not known", s.deck, 0, 0,
+                     "please give --end, --trace or a scene"};
     if (s.deck_motion) {
         out.model = Model::build(*out.deck, needs_evaluation, out.threads);
     } else {
-        std::vector<MotionTarget> targets;
-        for (const SceneMove& move : s.moves)
-            targets.push_back(move.target);
-        out.model = Model::build(*out.deck, needs_evaluation, out.threads, targets);
+        out.model = Model::build(*out.deck, needs_evaluation, out.threads, targets_of(s));
         for (std::size_t i = 0; i < s.moves.size() && !out.model.motion().classes.empty(); ++i) {
             const auto& held = out.model.motion().target_nodes[i];
             const ScenePlace& at = s.moves[i].place;
@@ -120,39 +101,19 @@ Result<Loaded> load(const EvaluateCommand& command) {
         }
     }
 
-    if (!s.time.trace.empty()) {
-        const Result<Trace> trace = read_trace(s.time.trace);
-        if (!trace) return trace.error();
-        TraceTimes times = times_of(*trace);
-        out.time = std::move(times.time);
-        out.dt = std::move(times.dt);
-        if (!times.note.empty()) out.notes.push_back(times.note);
-    } else {
-        out.time = equal_steps(*s.time.end, s.time.step, s.time.steps);
-        out.dt.push_back(0);
-        for (std::size_t n = 1; n < out.time.size(); ++n)
-            out.dt.push_back(out.time[n] - out.time[n - 1]);
-    }
-    if (auto covered = check_tables(s, out.time.back()); !covered) return covered.error();
+    Result<SceneTimes> times = times_of(s);
+    if (!times) return times.error();
+    out.time = std::move(times->time);
+    out.dt = std::move(times->dt);
+    if (!times->note.empty()) out.notes.push_back(times->note);
     return out;
 }
 
-/// The scene with enough of its surfaces for `travel`.
-struct Prepared {
-    DeckEvaluation evaluation;
-    std::vector<MotionSteps> steps;
-    std::vector<Law> laws;
-    std::vector<std::vector<BeadPlan>> plans; ///< [law][bead]
-};
-
-Result<Prepared> prepare(const Loaded& loaded, double travel) {
+Result<Prepared> prepare_scene(const Loaded& loaded, double travel) {
     Prepared out;
     EvaluationRequest request;
     request.interfaces = loaded.scene.interfaces;
-    request.deck_motion = loaded.scene.deck_motion;
-    request.motions = loaded.scene.motions;
-    for (const SceneMove& move : loaded.scene.moves)
-        request.motion_of_target.push_back(move.motion);
+    request.prescribed = prescribed_by(loaded.scene);
     request.time = loaded.time;
     request.dt = loaded.dt;
     request.threads = loaded.threads;
@@ -170,6 +131,10 @@ Result<Prepared> prepare(const Loaded& loaded, double travel) {
         out.steps.push_back(integrate(motion, scene.time, scene.dt));
     if (loaded.scene.solver) out.laws.push_back(Law::solver);
     if (loaded.scene.manual) out.laws.push_back(Law::manual);
+    if (loaded.scene.manual && loaded.scene.accuracy) {
+        out.stepped = scene;
+        set_steps(*out.stepped, scene.time.front(), scene.time.back(), loaded.scene.accuracy->steps);
+    }
     const UnitSystem& units = loaded.deck->work_units();
     PlanOptions options;
     options.node_output = !loaded.scene.output.csv.empty() || !loaded.scene.output.vtu.empty();
@@ -182,6 +147,16 @@ Result<Prepared> prepare(const Loaded& loaded, double travel) {
     }
     return out;
 }
+
+double next_travel(const DeckEvaluation& evaluation) {
+    double size = 0;
+    for (const EvaluationSurface& surface : evaluation.scene.surfaces)
+        size = std::max(size, surface.mesh.reach);
+    const double travel = evaluation.travel;
+    return travel + size < 1e3 * size ? 2 * (travel + size) : infinity;
+}
+
+namespace {
 
 std::array<double, 3> components(Vec3 v) {
     return {v.x, v.y, v.z};
@@ -232,7 +207,7 @@ public:
 
 private:
     SampledBead resolve(Law law, std::size_t b, const BeadRun::Sampled& sampled) const {
-        const EvaluationScene& scene = prepared_.evaluation.scene;
+        const EvaluationScene& scene = prepared_.scene_of(law);
         const EvaluationBead& bead = scene.beads[b];
         const NearMesh& mesh = scene.surfaces[bead.surface].mesh;
         const std::vector<int64_t>& only = loaded_.scene.output.nodes;
@@ -294,14 +269,19 @@ struct Runs {
     }
 };
 
-Runs make_runs(const Prepared& prepared, EffectSet forced) {
+Runs make_runs(const Loaded& loaded, const Prepared& prepared, EffectSet forced) {
     Runs runs;
-    const EvaluationScene& scene = prepared.evaluation.scene;
     for (std::size_t l = 0; l < prepared.laws.size(); ++l) {
         runs.of_law.emplace_back();
-        for (std::size_t b = 0; b < scene.beads.size(); ++b)
-            runs.of_law.back().push_back(
-                make_run(scene, prepared.steps, b, prepared.laws[l], prepared.plans[l][b].needed() | forced));
+        const Law law = prepared.laws[l];
+        const EvaluationScene& scene = prepared.scene_of(law);
+        for (std::size_t b = 0; b < scene.beads.size(); ++b) {
+            if (law == Law::manual && prepared.stepped)
+                runs.of_law.back().push_back(make_stepped_run(scene, b, *loaded.scene.accuracy));
+            else
+                runs.of_law.back().push_back(
+                    make_run(scene, prepared.steps, b, law, prepared.plans[l][b].needed() | forced));
+        }
     }
     return runs;
 }
@@ -318,7 +298,10 @@ Result<void> advance(const Loaded& loaded, const Prepared& prepared, Runs& runs,
         for (auto& of_law : runs.of_law)
             for (auto& run : of_law)
                 run->keep_samples(every);
-    const std::size_t count = scene.time.size(), beads = scene.beads.size();
+    std::size_t count = 0;
+    for (const Law law : prepared.laws)
+        count = std::max(count, prepared.scene_of(law).time.size());
+    const std::size_t beads = scene.beads.size();
     std::size_t block = std::max<std::size_t>(1, 2'000'000 / std::max<std::size_t>(nodes, 1));
     if (files) block = std::max<std::size_t>(1, 100'000 / std::max<std::size_t>(nodes, 1)) * every;
     using Clock = std::chrono::steady_clock;
@@ -327,7 +310,8 @@ Result<void> advance(const Loaded& loaded, const Prepared& prepared, Runs& runs,
     for (std::size_t begin = 0; begin < count; begin += block) {
         const std::size_t end = std::min(begin + block, count);
         parallel_for(loaded.threads, beads * prepared.laws.size(), [&](std::size_t piece) {
-            runs.of_law[piece / beads][piece % beads]->advance(begin, end);
+            const std::size_t own = prepared.scene_of(prepared.laws[piece / beads]).time.size();
+            runs.of_law[piece / beads][piece % beads]->advance(std::min(begin, own), std::min(end, own));
         });
         if (runs.at_rim()) return {};
         if (files)
@@ -449,6 +433,19 @@ LawDifference apart(const EvaluationScene& scene, const BeadHistory& solver, con
     return d;
 }
 
+/// What the manual's law cost under the scene's settings.
+std::string cost_of(const Loaded& loaded, const Prepared& prepared, const Runs& runs) {
+    StudyCounts cost;
+    for (std::size_t l = 0; l < prepared.laws.size(); ++l)
+        for (const auto& run : runs.of_law[l])
+            if (const auto* stepped = dynamic_cast<const SteppedRun*>(run.get())) cost += stepped->cost();
+    std::string out = "the manual's law as accuracy: " + yaml(*loaded.scene.accuracy) +
+                      " says: " + std::to_string(cost.evaluations) + " evaluations";
+    if (prepared.laws.size() == 2 && prepared.stepped->time != prepared.evaluation.scene.time)
+        out += "; the solver's at the steps of time:, so that the laws are not compared";
+    return out;
+}
+
 EvaluationReport report_of(const Loaded& loaded, const Prepared& prepared, EffectSet forced,
                            const Runs* runs) {
     const EvaluationScene& scene = prepared.evaluation.scene;
@@ -476,12 +473,16 @@ EvaluationReport report_of(const Loaded& loaded, const Prepared& prepared, Effec
         bead.tool = prepared.evaluation.tool[b];
         for (std::size_t l = 0; l < prepared.laws.size(); ++l) {
             const BeadRun* run = runs ? runs->of_law[l][b].get() : nullptr;
-            EvaluatedLaw law = run ? totals_of(scene, b, run->history()) : EvaluatedLaw{};
+            EvaluatedLaw law =
+                run ? totals_of(prepared.scene_of(prepared.laws[l]), b, run->history()) : EvaluatedLaw{};
             law.law = name(prepared.laws[l]);
-            law.effects = effects_of(prepared.plans[l][b], forced, run ? &run->counts() : nullptr);
+            // Under settings everything is computed.
+            if (!runs || prepared.laws[l] != Law::manual || !prepared.stepped)
+                law.effects = effects_of(prepared.plans[l][b], forced, run ? &run->counts() : nullptr);
             bead.laws.push_back(std::move(law));
         }
-        if (runs && prepared.laws.size() == 2) {
+        if (runs && prepared.laws.size() == 2 &&
+            (!prepared.stepped || prepared.stepped->time == scene.time)) {
             const BeadHistory &solver = runs->of_law[0][b]->history(),
                               &manual = runs->of_law[1][b]->history();
             bead.restraint_difference = apart(scene, solver, manual, &StepTotals::restraint);
@@ -496,9 +497,12 @@ EvaluationReport report_of(const Loaded& loaded, const Prepared& prepared, Effec
         for (const auto& [id, beads] : tools) {
             EvaluatedTool tool;
             tool.id = id;
+            const auto held = id ? holding_force(loaded.model, *id) : std::nullopt;
+            if (held && !held->unknown.empty()) out.notes.push_back(held->unknown);
             for (const std::size_t b : beads)
                 tool.interfaces.push_back(scene.beads[b].id);
             for (std::size_t l = 0; l < prepared.laws.size(); ++l) {
+                const EvaluationScene& own = prepared.scene_of(prepared.laws[l]);
                 const auto sum = [&](std::size_t n, Vec3 StepTotals::*part) {
                     Vec3 total;
                     for (const std::size_t b : beads)
@@ -507,12 +511,15 @@ EvaluationReport report_of(const Loaded& loaded, const Prepared& prepared, Effec
                 };
                 EvaluatedTool::Sum one;
                 one.law = name(prepared.laws[l]);
-                one.normal = peak_of(scene, [&](std::size_t n) { return norm(sum(n, &StepTotals::normal)); });
+                one.normal = peak_of(own, [&](std::size_t n) { return norm(sum(n, &StepTotals::normal)); });
                 one.restraint =
-                    peak_of(scene, [&](std::size_t n) { return norm(sum(n, &StepTotals::restraint)); });
-                const auto at = std::find(scene.time.begin(), scene.time.end(), one.normal.time);
-                one.normal_vector =
-                    components(sum(static_cast<std::size_t>(at - scene.time.begin()), &StepTotals::normal));
+                    peak_of(own, [&](std::size_t n) { return norm(sum(n, &StepTotals::restraint)); });
+                const auto at = std::find(own.time.begin(), own.time.end(), one.normal.time);
+                const Vec3 normal = sum(static_cast<std::size_t>(at - own.time.begin()), &StepTotals::normal);
+                one.normal_vector = components(normal);
+                // The tool is pushed the other way, and a force that holds it goes with that on the blank.
+                if (held && held->unknown.empty() && one.normal.value > 0)
+                    one.holding = dot(held->at(one.normal.time), normal) / one.normal.value;
                 tool.sums.push_back(std::move(one));
             }
             out.tools.push_back(std::move(tool));
@@ -520,7 +527,8 @@ EvaluationReport report_of(const Loaded& loaded, const Prepared& prepared, Effec
     }
     for (const LeftOut& left : prepared.evaluation.left_out)
         out.left_out.emplace_back(left.id, left.why);
-    out.notes = loaded.notes;
+    out.notes.insert(out.notes.begin(), loaded.notes.begin(), loaded.notes.end());
+    if (runs && prepared.stepped) out.notes.push_back(cost_of(loaded, prepared, *runs));
     out.notes.insert(out.notes.end(), prepared.evaluation.notes.begin(), prepared.evaluation.notes.end());
     return out;
 }
@@ -544,7 +552,7 @@ std::string culprits(const Prepared& prepared, std::size_t l, std::size_t b, con
 
 /// Runs everything with all effects too and compares; what it found as text, and whether all is equal.
 bool prove(const Loaded& loaded, const Prepared& prepared, const Runs& planned, std::string& text) {
-    Runs all = make_runs(prepared, EffectSet::all());
+    Runs all = make_runs(loaded, prepared, EffectSet::all());
     if (auto done = advance(loaded, prepared, all, nullptr, false); !done) return false;
     const EvaluationScene& scene = prepared.evaluation.scene;
     bool equal = true;
@@ -606,10 +614,10 @@ int run(const EvaluateCommand& command) {
     };
     const Result<EffectSet> forced = forced_effects(command.force_effects);
     if (!forced) return fail(forced.error());
-    const Result<Loaded> loaded = load(command);
+    const Result<Loaded> loaded = load_scene(command);
     if (!loaded) return fail(loaded.error());
 
-    Result<Prepared> prepared = prepare(*loaded, 0);
+    Result<Prepared> prepared = prepare_scene(*loaded, 0);
     if (!prepared) return fail(prepared.error());
     Runs runs;
     const bool samples = !loaded->scene.output.csv.empty() || !loaded->scene.output.vtu.empty();
@@ -617,7 +625,7 @@ int run(const EvaluateCommand& command) {
         SampleFiles files(*loaded, *prepared);
         if (samples)
             if (auto opened = files.open(); !opened) return fail(opened.error());
-        runs = make_runs(*prepared, *forced);
+        runs = make_runs(*loaded, *prepared, *forced);
         if (auto done = advance(*loaded, *prepared, runs, samples ? &files : nullptr, !command.quiet); !done)
             return fail(done.error());
         if (!runs.at_rim()) {
@@ -628,11 +636,8 @@ int run(const EvaluateCommand& command) {
         // The part of a surface that was cut out is too small: take more, at last all of it.
         const double travel = prepared->evaluation.travel;
         if (travel == infinity) break;
-        double size = 0;
-        for (const EvaluationSurface& surface : prepared->evaluation.scene.surfaces)
-            size = std::max(size, surface.mesh.reach);
         runs = {};
-        prepared = prepare(*loaded, travel + size < 1e3 * size ? 2 * (travel + size) : infinity);
+        prepared = prepare_scene(*loaded, next_travel(prepared->evaluation));
         if (!prepared) return fail(prepared.error());
     }
 

@@ -115,10 +115,4 @@ int run_hard_cases(bool as_json, const std::string& path) {
     return counts(cases)[2] > 0 ? exit_findings : exit_clean;
 }
 
-int run(const AccuracyCommand& command) {
-    if (command.hard_cases) return run_hard_cases(command.json, command.file);
-    say_error({"accuracy needs something to do", "", 0, 0, "please give --hard-cases"});
-    return exit_failed;
-}
-
 } // namespace drawbead

@@ -99,8 +99,10 @@ private:
     Choice& choice(CLI::App* command, const std::string& name, const Words& words, const std::string& help);
     void reading_options(CLI::App* command, ReadArguments& reading);
     void scene_options(CLI::App* command, EvaluateCommand& values);
+    void accuracy_options();
     static void output_option(CLI::App* command, Words& outputs);
     std::optional<UsageError> finish();
+    std::optional<UsageError> finish_accuracy();
     std::optional<UsageError> finish_reports();
     UsageError explain(const CLI::ParseError& error, const CLI::App& command) const;
     Words option_names(const CLI::App& command) const;
@@ -123,12 +125,13 @@ private:
     std::deque<Choice> choices_;
     Choice *check_format_, *fail_on_, *colour_, *merge_format_, *merge_fail_on_, *merge_colour_, *fix_format_,
         *fix_fail_on_, *fix_colour_, *normals_, *table_format_, *info_format_, *audit_law_, *audit_format_,
-        *rules_format_, *evaluate_law_, *plan_law_, *evaluate_format_, *plan_format_, *accuracy_format_;
+        *rules_format_, *evaluate_law_, *plan_law_, *evaluate_format_, *plan_format_, *accuracy_reference_,
+        *accuracy_format_;
     Words select_, ignore_, fix_select_, fix_ignore_;
     Words check_outputs_, merge_outputs_, fix_outputs_;
     std::string shard_;
     Words force_effects_;
-    std::string threads_, interface_, tolerance_, end_, step_, steps_, every_;
+    std::string within_, threads_, interface_, tolerance_, end_, step_, steps_, every_;
     std::map<const CLI::Option*, Words>
         suggestions_; ///< for completion, of options that take other words too
 };
@@ -147,9 +150,12 @@ Parser::Parser() {
         check_
             ->add_option("PATH", check_values_.paths,
                          "Decks, folders (all *_0000.rad below), patterns, - for standard input")
-            ->required()
             ->type_name("");
     suggestions_[paths] = {};
+    check_
+        ->add_option("--scene", check_values_.scene,
+                     "A scene as evaluate reads it: its deck, with its motion instead of the deck's own")
+        ->type_name("FILE");
     Words with_names = rule_words(true);
     suggestions_[check_
                      ->add_option(
@@ -292,14 +298,7 @@ Parser::Parser() {
     plan_format_ = &choice(plan_, "--format", {"text", "json"}, "How it is printed");
     reading_options(plan_, plan_values_.reading);
 
-    accuracy_ = app_.add_subcommand("accuracy", "What holds where arithmetic is hard");
-    accuracy_->add_flag("--hard-cases", accuracy_values_.hard_cases,
-                        "Run the built-in hard cases: what must hold, and what each law breaks");
-    accuracy_
-        ->add_option("-o,--output", accuracy_values_.file,
-                     "Write the result to a file, all at once when complete")
-        ->type_name("FILE");
-    accuracy_format_ = &choice(accuracy_, "--format", {"text", "json"}, "How it is printed");
+    accuracy_options();
 
     rules_ = app_.add_subcommand("rules", "List all rules");
     rules_format_ = &choice(rules_, "--format", {"text", "json"}, "How they are printed");
@@ -314,11 +313,12 @@ Parser::Parser() {
                      ->add_option(
                          "NAME", schema_values_.name,
                          "report: what check --format json writes; lines: with --format jsonl, each\n"
-                         "line; audit, evaluation, fix, plan, table: what these do; scene: what\n"
+                         "line; accuracy, audit, evaluation, fix, plan, table: what these do;\n"
+                         "scene: what\n"
                          "evaluate reads")
                      ->required()
-                     ->type_name("")] = {"audit", "evaluation", "fix",   "lines",
-                                         "plan",  "report",     "scene", "table"};
+                     ->type_name("")] = {"accuracy", "audit",  "evaluation", "fix",  "lines",
+                                         "plan",     "report", "scene",      "table"};
 
     completion_ = app_.add_subcommand("completion", "Print a completion script for a shell");
     suggestions_[completion_->add_option("SHELL", completion_values_.shell, "bash, zsh or fish")
@@ -379,6 +379,58 @@ void Parser::scene_options(CLI::App* command, EvaluateCommand& values) {
         ->type_name("FILE");
 }
 
+void Parser::accuracy_options() {
+    accuracy_ = app_.add_subcommand("accuracy",
+                                    "What accuracy costs on a scene, and the cheapest settings within one");
+    CLI::Option* scene = accuracy_->add_option("SCENE", accuracy_values_.path, "A scene (.yaml)");
+    scene->type_name("");
+    accuracy_
+        ->add_flag("--hard-cases", accuracy_values_.hard_cases,
+                   "Instead of a scene: the built-in hard cases, what must hold in them, and what each law "
+                   "breaks")
+        ->excludes(scene);
+    accuracy_
+        ->add_option("--within", within_,
+                     "Print the cheapest settings with no error above this, such as 0.1% or 0.001")
+        ->type_name("TOLERANCE");
+    accuracy_reference_ =
+        &choice(accuracy_, "--reference", {"line", "nodes", "arc"},
+                "What counts as true: the integral along the line, or the sum over nodes with "
+                "chords or half hops as lengths");
+    accuracy_->add_flag("--all", accuracy_values_.all, "Show every setting, not only those on the front");
+    accuracy_->add_flag("!--no-times", accuracy_values_.times, "Measure no times: the same bytes every run");
+    accuracy_->add_option("--svg", accuracy_values_.svg, "Draw error over cost")->type_name("FILE");
+    accuracy_format_ = &choice(accuracy_, "--format", {"text", "json", "csv"}, "How it is printed");
+    accuracy_
+        ->add_option("-o,--output", accuracy_values_.file,
+                     "Write the result to a file, all at once when complete")
+        ->type_name("FILE");
+    accuracy_->add_flag("-q,--quiet", accuracy_values_.quiet, "No progress");
+    reading_options(accuracy_, accuracy_values_.reading);
+}
+
+std::optional<UsageError> Parser::finish_accuracy() {
+    const auto index = [](const Choice& one) {
+        return std::find(one.words.begin(), one.words.end(), one.value) - one.words.begin();
+    };
+    accuracy_values_.reference = static_cast<AccuracyCommand::Reference>(index(*accuracy_reference_));
+    accuracy_values_.format = static_cast<AccuracyCommand::Format>(index(*accuracy_format_));
+    if (accuracy_values_.file == "-") accuracy_values_.file.clear();
+    if (accuracy_->parsed() && accuracy_values_.path.empty() && !accuracy_values_.hard_cases)
+        return UsageError{"accuracy needs a scene or --hard-cases", "see 'drawbead accuracy --help'"};
+    if (within_.empty()) return std::nullopt;
+    const bool percent = within_.back() == '%';
+    double number = 0;
+    const char* end = within_.data() + within_.size() - (percent ? 1 : 0);
+    const auto [stop, error] = std::from_chars(within_.data(), end, number);
+    if (percent) number /= 100;
+    if (error != std::errc() || stop != end || !(number > 0) || !(number < 1))
+        return UsageError{"--within needs a tolerance, not '" + within_ + "'",
+                          "please give one above 0 and below 100%, such as 0.1% or 0.001"};
+    accuracy_values_.within = number;
+    return std::nullopt;
+}
+
 /// Reads what was taken as text.
 std::optional<UsageError> Parser::finish() {
     for (const Choice& one : choices_) {
@@ -390,6 +442,10 @@ std::optional<UsageError> Parser::finish() {
     const auto index = [](const Choice& one) {
         return std::find(one.words.begin(), one.words.end(), one.value) - one.words.begin();
     };
+    if (check_->parsed() && check_values_.paths.empty() && check_values_.scene.empty())
+        return UsageError{"check needs an argument: PATH is required", "see 'drawbead check --help'"};
+    if (!check_values_.paths.empty() && !check_values_.scene.empty())
+        return UsageError{"--scene names its deck itself", "please leave out PATH or --scene"};
     if (std::optional<UsageError> error = finish_reports()) return error;
     check_values_.fail_on = static_cast<FailOn>(index(*fail_on_));
     check_values_.output.colour = static_cast<ColourMode>(index(*colour_));
@@ -398,8 +454,6 @@ std::optional<UsageError> Parser::finish() {
     audit_values_.json = index(*audit_format_) == 1;
     audit_values_.law = static_cast<AuditLaw>(index(*audit_law_));
     if (audit_values_.file == "-") audit_values_.file.clear();
-    accuracy_values_.json = index(*accuracy_format_) == 1;
-    if (accuracy_values_.file == "-") accuracy_values_.file.clear();
     rules_values_.json = index(*rules_format_) == 1;
     if (table_values_.file == "-") table_values_.file.clear();
 
@@ -439,6 +493,8 @@ std::optional<UsageError> Parser::finish() {
         if (one->step && one->steps)
             return UsageError{"--step and --steps exclude each other", "please give one of them"};
     }
+
+    if (auto wrong = finish_accuracy()) return wrong;
 
     const auto split = [](const Words& lists, Words& entries) {
         for (const std::string& list : lists) {
@@ -495,7 +551,7 @@ std::optional<UsageError> Parser::finish() {
                               "please give 0 (all cores) to 1024"};
         check_values_.reading.threads = fix_values_.reading.threads = table_values_.reading.threads =
             info_values_.reading.threads = audit_values_.reading.threads = evaluate_values_.reading.threads =
-                plan_values_.reading.threads = threads;
+                plan_values_.reading.threads = accuracy_values_.reading.threads = threads;
     }
     return std::nullopt;
 }

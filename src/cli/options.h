@@ -40,7 +40,8 @@ struct ShardArgument {
 };
 
 struct CheckCommand {
-    std::vector<std::string> paths;
+    std::vector<std::string> paths;          ///< none with a scene
+    std::string scene;                       ///< names the deck, and how things move; empty: none
     std::vector<std::string> select, ignore; ///< single entries, as typed
     FailOn fail_on = FailOn::error;
     std::vector<OutputTarget> outputs; ///< at least one, all different
@@ -115,10 +116,22 @@ struct EvaluateCommand {
     ReadArguments reading;
 };
 
+/// `accuracy`.
 struct AccuracyCommand {
-    bool hard_cases = false; ///< the built-in scenes instead of the user's
-    bool json = false;
+    enum class Format { text, json, csv };
+    enum class Reference { line, nodes, arc };
+
+    bool hard_cases = false;      ///< the built-in scenes instead of the user's
+    std::string path;             ///< a scene
+    std::optional<double> within; ///< tolerance asked for, a share
+    Reference reference = Reference::line;
+    bool all = false;   ///< every setting in the text, not only those on the front
+    bool times = true;  ///< measure them
+    bool quiet = false; ///< no progress
+    Format format = Format::text;
+    std::string svg;  ///< empty: none
     std::string file; ///< empty: standard output
+    ReadArguments reading;
 };
 
 struct RulesCommand {

@@ -30,12 +30,13 @@ public:
     Scene parse() {
         const YAML::Node root = YAML::Load(std::string(text_));
         if (!root.IsMap()) fail(root, "a scene is a map of keys", "it begins with: deck: NAME_0000.rad");
-        only(root, {"deck", "interfaces", "law", "time", "output", "motion"});
+        only(root, {"deck", "interfaces", "law", "time", "accuracy", "output", "motion"});
         scene_.path = path_;
         scene_.deck = beside(text(need(root, "deck"), "deck"));
         if (const YAML::Node node = root["interfaces"]) scene_.interfaces = ids(node, "interfaces");
         if (const YAML::Node node = root["law"]) law(node);
         time(need(root, "time"));
+        if (const YAML::Node node = root["accuracy"]) accuracy(node);
         if (const YAML::Node node = root["output"]) output(node);
         if (const YAML::Node node = root["motion"]) motion(node);
         return std::move(scene_);
@@ -159,6 +160,50 @@ private:
             if (count < 1 || static_cast<double>(count) > most) fail(steps, "steps must be 1 to 1e8");
             scene_.time.steps = static_cast<uint64_t>(count);
         }
+    }
+
+    void accuracy(const YAML::Node& node) {
+        if (!node.IsMap()) fail(node, "accuracy needs a map", "'drawbead accuracy' prints one");
+        std::vector<std::string> keys{"steps", "line"};
+        for (const Knob& knob : knobs())
+            keys.emplace_back(knob.key);
+        only(node, keys);
+        ManualSettings settings;
+        const YAML::Node steps = need(node, "steps");
+        const int64_t count = whole(steps, "steps");
+        if (count < 1 || static_cast<double>(count) > 1e8) fail(steps, "steps must be 1 to 1e8");
+        settings.steps = static_cast<uint64_t>(count);
+        if (const YAML::Node line = node["line"]) settings.line = line_rule(line);
+        for (const Knob& knob : knobs()) {
+            const YAML::Node value = node[std::string(knob.key)];
+            if (!value) continue;
+            const std::string word = text(value, std::string(knob.key));
+            const std::vector<std::string> words(knob.words.begin(), knob.words.end());
+            const auto at = std::find(words.begin(), words.end(), word);
+            if (at == words.end()) {
+                const std::string help = did_you_mean(word, words);
+                fail(value, std::string(knob.key) + " knows no '" + word + "'",
+                     help.empty() ? "please give " + words[0] + " or " + words[1] : help);
+            }
+            knob.set(settings, static_cast<std::size_t>(at - words.begin()));
+        }
+        scene_.accuracy = settings;
+    }
+
+    LineRule line_rule(const YAML::Node& node) const {
+        LineRule line;
+        const std::string word = text(node, "line");
+        if (word == "nodes") return line;
+        line.kind = LineRule::Kind::adaptive;
+        if (word == "adaptive") return line;
+        if (word.find_first_not_of("0123456789") != std::string::npos)
+            fail(node, "line knows no '" + word + "'", "please give nodes, adaptive, or the points per hop");
+        const int64_t points = whole(node, "line");
+        if (points < 2 || points > most_line_points || points % 2 != 0)
+            fail(node, "the points per hop are an even number from 2 to " + std::to_string(most_line_points));
+        line.kind = LineRule::Kind::points;
+        line.points = static_cast<uint32_t>(points);
+        return line;
     }
 
     void output(const YAML::Node& node) {
@@ -314,6 +359,22 @@ Result<Scene> read_scene(const std::string& path) {
     std::ostringstream text;
     if (!file || !(text << file.rdbuf())) return Error{"cannot be read", path, 0, 0, ""};
     return parse_scene(text.str(), path);
+}
+
+PrescribedMotion prescribed_by(const Scene& scene) {
+    PrescribedMotion out;
+    out.by_deck = scene.deck_motion;
+    out.motions = scene.motions;
+    for (const SceneMove& move : scene.moves)
+        out.motion_of_target.push_back(move.motion);
+    return out;
+}
+
+std::vector<MotionTarget> targets_of(const Scene& scene) {
+    std::vector<MotionTarget> out;
+    for (const SceneMove& move : scene.moves)
+        out.push_back(move.target);
+    return out;
 }
 
 std::vector<double> equal_steps(double end, std::optional<double> step, std::optional<uint64_t> steps) {

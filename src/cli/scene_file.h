@@ -3,6 +3,8 @@
 #include "base/result.h"
 #include "force/motion.h"
 #include "model/motion.h"
+#include "scene/class_motion.h"
+#include "study/settings.h"
 
 #include <cstdint>
 #include <optional>
@@ -40,6 +42,8 @@ struct Scene {
         std::vector<int64_t> nodes; ///< empty: all
         std::string csv, vtu;       ///< empty: not wanted; vtu: what the names begin with
     } output;
+    std::optional<ManualSettings>
+        accuracy; ///< how finely the manual's law is evaluated; empty: exactly in time
     bool deck_motion = true;
     std::vector<Motion> motions;
     std::vector<SceneMove> moves; ///< one motion may move several things
@@ -54,6 +58,10 @@ struct Scene {
 /// Paths in a scene are relative to its folder.
 Result<Scene> read_scene(const std::string& path);
 Result<Scene> parse_scene(std::string_view text, const std::string& path);
+
+/// Who moves the nodes, and the targets of Model::build that its moves name.
+PrescribedMotion prescribed_by(const Scene&);
+std::vector<MotionTarget> targets_of(const Scene&);
 
 /// Times of equal steps; the last one may be shorter when `step` does not divide the end.
 std::vector<double> equal_steps(double end, std::optional<double> step, std::optional<uint64_t> steps);

@@ -103,10 +103,10 @@ void take(BeadHit& h, const NearMesh& mesh, const ClosestHit& closest) {
 
 /// The hits that the contact has found; whether the part of the surface that it has made is large enough for
 /// the rules too.
-bool take_hits(const NearMesh& mesh, const std::vector<InterfaceContact>& contact, bool sides,
+bool take_hits(const NearMesh& mesh, const std::vector<InterfaceContact>& contact, double side_reach,
                const std::vector<BeadAnalysis*>& beads, unsigned threads) {
     const auto complete = [&](Vec3 x, const BeadHit& h) {
-        const double r = h.closest.foot.distance + (sides ? side_limits.reach * h.element : 0);
+        const double r = h.closest.foot.distance + side_reach * h.element;
         return h.closest.exact && mesh.covers(x - Vec3{r, r, r}, x + Vec3{r, r, r});
     };
     for (BeadAnalysis* a : beads) {
@@ -129,14 +129,28 @@ bool take_hits(const NearMesh& mesh, const std::vector<InterfaceContact>& contac
     return true;
 }
 
+/// How many elements on either side of the beads of a surface are judged: some, or as far as the beads
+/// travel.
+double side_reach_of(const Analysis& all, const std::vector<BeadAnalysis*>& beads) {
+    constexpr double most = 30; // the part of the surface grows with it
+    double reach = side_limits.reach;
+    for (const BeadAnalysis* a : beads) {
+        const auto b = static_cast<std::size_t>(a - all.beads.data());
+        if (b >= all.path.size() || !all.path[b].known()) continue;
+        for (const NodePath& node : all.path[b].node)
+            if (node.element > 0) reach = std::max(reach, std::min(all.path[b].travel / node.element, most));
+    }
+    return reach;
+}
+
 /// Exact closest segments of all beads of a surface, and the part of the surface around them: from the
 /// contact where it is there and large enough.
 void find_closest(const Model& model, std::size_t number, const std::vector<BeadAnalysis*>& beads,
-                  const DeckContact& contact, SurfaceAnalysis& out, bool sides, bool layers,
+                  const DeckContact& contact, SurfaceAnalysis& out, double side_reach, bool layers,
                   unsigned threads) {
     if (!contact.surfaces.empty()) {
         const NearMesh& mesh = contact.surfaces[number].mesh;
-        if (!mesh.segment.empty() && take_hits(mesh, contact.interfaces, sides, beads, threads)) {
+        if (!mesh.segment.empty() && take_hits(mesh, contact.interfaces, side_reach, beads, threads)) {
             out.near = mesh;
             if (!layers) return;
             const ClosestSegment closest(mesh);
@@ -149,7 +163,7 @@ void find_closest(const Model& model, std::size_t number, const std::vector<Bead
     for (const BeadAnalysis* a : beads)
         points.insert(points.end(), a->x.begin(), a->x.end());
     const SegmentMesh mesh = segment_mesh(model, model.surfaces()[number]);
-    const double elements = sides ? side_limits.reach + 1 : 0;
+    const double elements = side_reach > 0 ? side_reach + 1 : 0;
     double least_margin = 0;
     while (true) {
         NearSurface near = near_surface(mesh, points, elements, least_margin, threads);
@@ -165,9 +179,8 @@ void find_closest(const Model& model, std::size_t number, const std::vector<Bead
                 for (std::size_t i = piece * chunk; i < end; ++i)
                     take(a->hit[i], near.mesh, closest.find(a->x[i]));
             });
-            for (std::size_t i = 0; sides && i < a->x.size(); ++i)
-                if (const double reach = side_limits.reach * a->hit[i].element;
-                    reach > near.margin[first + i])
+            for (std::size_t i = 0; side_reach > 0 && i < a->x.size(); ++i)
+                if (const double reach = side_reach * a->hit[i].element; reach > near.margin[first + i])
                     needed = std::max(needed, reach);
             first += a->x.size();
         }
@@ -198,7 +211,7 @@ std::vector<std::pair<uint32_t, uint32_t>> hops_of(const BeadAnalysis& a) {
     return hops;
 }
 
-void judge(const Surface& surface, const NearMesh& near, BeadAnalysis& a) {
+void judge(const Surface& surface, const NearMesh& near, double side_reach, BeadAnalysis& a) {
     if (a.hit.empty() || near.segment.empty()) return;
     constexpr double beside = 0.05; // of the segment, as for the manual law
     std::vector<BeadFoot> feet;
@@ -212,13 +225,16 @@ void judge(const Surface& surface, const NearMesh& near, BeadAnalysis& a) {
     std::vector<uint8_t> solid_backed(near.segment.size());
     for (std::size_t i = 0; i < near.segment.size(); ++i)
         solid_backed[i] = surface.segments[near.segment_index[i]].solid_backed;
-    a.side = judge_side(near, feet, hops_of(a), solid_backed, side_limits);
+    SideLimits limits = side_limits;
+    limits.reach = side_reach;
+    a.side = judge_side(near, feet, hops_of(a), solid_backed, limits);
 }
 
 } // namespace
 
-Analysis analyse(const Deck&, const Model& model, Needs needs, unsigned threads) {
+Analysis analyse(const Deck&, const Model& model, Needs needs, unsigned threads, RunFacts run) {
     Analysis out;
+    out.run = std::move(run);
     out.beads.reserve(model.drawbeads().size());
     out.surfaces.resize(model.surfaces().size());
     const bool lines = has(needs, analysis_lines);
@@ -230,17 +246,21 @@ Analysis analyse(const Deck&, const Model& model, Needs needs, unsigned threads)
         out.contact = contact_of(model, {.layer_ratio = 0, .around_elements = around, .threads = threads});
         for (const InterfaceContact& one : out.contact.interfaces)
             out.starter.push_back(one.starter);
+        if (has(needs, analysis_motion))
+            out.path = bead_paths(model, out.contact, {out.run.prescribed, out.run.end(), threads});
     } else if (has(needs, Needs::coordinates) && has(needs, Needs::blank_elements)) {
         out.starter = starter_of(model, threads);
     }
 
+    std::vector<double> side_reach(out.surfaces.size(), 0.0);
     for (std::size_t s = 0; s < out.surfaces.size(); ++s) {
         const Surface& surface = model.surfaces()[s];
         std::vector<BeadAnalysis*> beads;
         for (BeadAnalysis& a : out.beads)
             if (a.surface == &surface && !a.x.empty()) beads.push_back(&a);
+        if (has(needs, analysis_sides)) side_reach[s] = side_reach_of(out, beads);
         if (has(needs, analysis_closest))
-            find_closest(model, s, beads, out.contact, out.surfaces[s], has(needs, analysis_sides),
+            find_closest(model, s, beads, out.contact, out.surfaces[s], side_reach[s],
                          has(needs, analysis_layers), threads);
         if (has(needs, analysis_clashes))
             out.surfaces[s].clashes = edge_clashes(surface.segments.span(), model.nodes().size(), threads);
@@ -251,7 +271,7 @@ Analysis analyse(const Deck&, const Model& model, Needs needs, unsigned threads)
         if (a.x.empty()) return;
         check_list(a);
         if (has(needs, analysis_sides) && a.surface)
-            judge(*a.surface, out.surfaces[*a.bead->surface].near, a);
+            judge(*a.surface, out.surfaces[*a.bead->surface].near, side_reach[*a.bead->surface], a);
     });
     return out;
 }

@@ -140,6 +140,16 @@ DeckInfo describe(const Deck& deck, const Model& model) {
     return info;
 }
 
+/// An error at the first target of a scene that the deck does not have.
+Result<void> targets_exist(const SceneMotion& scene, const Model& model) {
+    const auto& held = model.motion().target_nodes;
+    for (std::size_t i = 0; i < held.size(); ++i)
+        if (!held[i])
+            return Error{std::to_string(scene.targets[i].id) + " does not exist in the deck", scene.path,
+                         scene.places[i].line, scene.places[i].column, ""};
+    return {};
+}
+
 } // namespace
 
 ResolvedPlace resolve(const Deck& deck, const Span& span) {
@@ -197,7 +207,8 @@ std::optional<std::string> Selection::unknown() const {
 Result<std::unique_ptr<CheckedDeck>> read_and_check(const std::string& path, FileReader& reader,
                                                     const ReadOptions& read_options,
                                                     std::span<const Rule* const> rules, Needs more,
-                                                    unsigned threads, CheckTimes* times) {
+                                                    unsigned threads, const std::optional<SceneMotion>& scene,
+                                                    CheckTimes* times) {
     CheckTimes untold(times ? 0 : registry().size());
     CheckTimes& spent = times ? *times : untold;
     Laps laps;
@@ -208,10 +219,20 @@ Result<std::unique_ptr<CheckedDeck>> read_and_check(const std::string& path, Fil
         needs = needs | rule->needs;
     auto checked = std::make_unique<CheckedDeck>();
     checked->deck = std::make_unique<Deck>(std::move(*read));
+    RunFacts run;
+    if (has(needs, analysis_run)) run.engine = read_engine_deck(path, reader);
+    if (scene) {
+        run.prescribed = scene->prescribed;
+        run.scene_end = scene->end;
+    }
     laps.add_to(spent.reading);
-    checked->model = Model::build(*checked->deck, needs, threads);
+    checked->model = scene && !scene->prescribed.by_deck
+                         ? Model::build(*checked->deck, needs, threads, scene->targets)
+                         : Model::build(*checked->deck, needs, threads);
+    if (scene && !scene->prescribed.by_deck)
+        if (auto all = targets_exist(*scene, checked->model); !all) return all.error();
     laps.add_to(spent.model);
-    checked->analysis = analyse(*checked->deck, checked->model, needs, threads);
+    checked->analysis = analyse(*checked->deck, checked->model, needs, threads, std::move(run));
     laps.add_to(spent.analysis);
 
     std::vector<Collector> by_rule(rules.size());
@@ -268,8 +289,8 @@ DeckResult check_deck(const std::string& path, FileReader& reader, const ReadOpt
     if (options.with_changes)
         for (const Rule* rule : rules)
             more = more | rule->fix_needs;
-    const auto checked =
-        read_and_check(path, reader, read_options, rules, more, options.threads, options.times);
+    const auto checked = read_and_check(path, reader, read_options, rules, more, options.threads,
+                                        options.scene, options.times);
     return checked ? result_of(**checked, options.with_changes) : unreadable_deck(path, checked.error());
 }
 

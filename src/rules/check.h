@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -28,11 +29,26 @@ struct CheckTimes {
     std::vector<std::atomic<uint64_t>> by_rule; ///< as registry()
 };
 
+/// What a scene says of the motion, instead of the deck and the engine deck beside it.
+struct SceneMotion {
+    PrescribedMotion prescribed;
+    std::vector<MotionTarget> targets; ///< what its moves name; for the deck's own motion none
+    double end = 0;                    ///< of the run
+    /// Where each target stands, for errors.
+    struct Place {
+        uint64_t line = 0;
+        uint32_t column = 0;
+    };
+    std::string path;
+    std::vector<Place> places;
+};
+
 struct CheckOptions {
     Selection selection;
     unsigned threads = 1;        ///< within one deck
     bool with_changes = false;   ///< say what each repair that is offered would change
     CheckTimes* times = nullptr; ///< when asked for
+    std::optional<SceneMotion> scene{};
 };
 
 /// What one rule said of one thing.
@@ -60,7 +76,9 @@ struct CheckedDeck {
 /// Runs the rules over a deck that can be read. `more`: needs beyond those of the rules.
 Result<std::unique_ptr<CheckedDeck>> read_and_check(const std::string& path, FileReader&, const ReadOptions&,
                                                     std::span<const Rule* const> rules, Needs more,
-                                                    unsigned threads, CheckTimes* times = nullptr);
+                                                    unsigned threads,
+                                                    const std::optional<SceneMotion>& scene = {},
+                                                    CheckTimes* times = nullptr);
 /// The same as a result that owns what it says: findings sorted by place. `with_changes`: each with what its
 /// repair would change, as rules/planned_changes.h says; the model needs what those repairs look at.
 DeckResult result_of(const CheckedDeck&, bool with_changes = false);
