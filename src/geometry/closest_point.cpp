@@ -264,7 +264,7 @@ Foot foot_of(const Corners& c, Vec3 x, double tolerance) {
     foot = closest_on_outline(c, x, tolerance);
     foot.branch = FootBranch::edge;
     double xi = 0, eta = 0;
-    if (may_be_stationary(s, x) && stationary_foot(s, x, xi, eta)) {
+    if (stationary_foot(s, x, xi, eta)) {
         const Vec3 point = s(xi, eta);
         const double distance = norm(x - point);
         const bool off_edges = distance < foot.distance && norm(point - foot.point) > tolerance;
@@ -300,7 +300,8 @@ Foot closest_foot(const Corners& c, Vec3 x) {
 
 Foot closest_point(const Corners& c, Vec3 x) {
     const double size = magnitude(c, x);
-    if (!is_extreme(size)) return foot_of(c, x, rounding * size);
+    const bool extreme = is_extreme(size);
+    if (!extreme) return foot_of(c, x, rounding * size);
     // Near 1 they do not.
     const int exponent = std::ilogb(size);
     Corners scaled;
