@@ -12,6 +12,7 @@ namespace drawbead {
 namespace {
 
 void check(const RuleContext& context, FindingSink& sink) {
+    const auto about = [&](double t) { return quantity(t, context.deck.work_units(), time_dimension, 2); };
     for (const BeadAnalysis* a : beads_with_nodes(context)) {
         const BeadPath* path = path_of(context, *a);
         if (path == nullptr || !path->blank_known()) continue;
@@ -26,8 +27,8 @@ void check(const RuleContext& context, FindingSink& sink) {
             }
         Draft draft = draft_at_affected(context, *a, nodes);
         draft.message = "the rim of the sheet passes " + counted(nodes.place.size(), "node") + " of " +
-                        bead_name(*a->bead) + " at about " + time_text(context, first) +
-                        (last > first ? " to " + time_text(context, last) : std::string()) + "; " +
+                        bead_name(*a->bead) + " at about " + about(first) +
+                        (last > first ? " to " + about(last) : std::string()) + "; " +
                         length_text(context, nodes.length) +
                         " of the bead let go, node by node: " + cost_text(context, *a, nodes.fn, nodes.ft);
         const UnitSystem& units = context.deck.work_units();

@@ -11,6 +11,7 @@ namespace drawbead {
 namespace {
 
 void check(const RuleContext& context, FindingSink& sink) {
+    const auto about = [&](double t) { return quantity(t, context.deck.work_units(), time_dimension, 2); };
     constexpr double noticeable = 1e-3; // of DEPTH
     for (const BeadAnalysis* a : beads_with_nodes(context)) {
         const Drawbead& bead = *a->bead;
@@ -31,8 +32,8 @@ void check(const RuleContext& context, FindingSink& sink) {
         draft.message =
             counted(nodes.place.size(), "node") + " of " + bead_name(bead) +
             (nodes.place.size() == 1 ? " lifts" : " lift") + " off by up to " +
-            length_text(context, worst->height) + " at about " + time_text(context, worst->off) + " and " +
-            (nodes.place.size() == 1 ? "comes" : "come") + " back at " + time_text(context, worst->back) +
+            length_text(context, worst->height) + " at about " + about(worst->off) + " and " +
+            (nodes.place.size() == 1 ? "comes" : "come") + " back at " + about(worst->back) +
             "; with Iform 2 the restraint that they had stored acts again at once, against a sheet "
             "that has not moved: up to " +
             ft_force_text(context, *a, nodes.ft);
