@@ -150,23 +150,23 @@ private:
 
     void references() {
         const std::vector<double> times = reference_times(false), coarse = reference_times(true);
-        ReferenceOptions options{options_.truth, 1e-7, options_.threads};
+        ReferenceOptions options{options_.truth, 5e-6, options_.threads};
         const std::size_t beads = given_.beads.size();
         std::map<Truth, Errors> readings;
         for (std::size_t b = 0; b < beads; ++b) {
             say(b, beads, "reference");
             options.truth = options_.truth;
-            options.line_tolerance = 1e-7;
+            options.line_tolerance = 5e-6;
             out_.reference.push_back(reference_of(given_, b, times, options));
             const ReferenceBead& truth = out_.reference.back();
-            options.line_tolerance = 1e-5;
+            options.line_tolerance = 3e-5;
             Errors apart = between(reference_of(given_, b, coarse, options), truth);
             for (const double e : apart)
                 out_.reference_error = std::max(out_.reference_error, e);
             for (const Truth other : {Truth::line, Truth::nodes, Truth::arc}) {
                 if (other == options_.truth) continue;
                 options.truth = other;
-                options.line_tolerance = 1e-7;
+                options.line_tolerance = 5e-6;
                 ReferenceBead reading =
                     reference_of(given_, b, other == Truth::nodes ? times : coarse, options);
                 raise(readings[other], between(reading, truth));
