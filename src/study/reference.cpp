@@ -840,6 +840,7 @@ Record half_hop(const World& world, const World& probe, uint32_t a, bool second,
     };
     static const R g = 1 / std::sqrt(3.0L);
     // A coarse look in time decides how far the parts are halved, and whether one point stands for a part.
+    bool varies = true;
     const auto panel = [&](const auto& self, R from, R to, int depth) -> void {
         const R centre = (from + to) / 2, half = (to - from) / 2;
         const Record one = run_in(probe, centre, to - from);
@@ -855,12 +856,14 @@ Record half_hop(const World& world, const World& probe, uint32_t a, bool second,
         const auto [normal_of_ends, restraint_of_ends] = apart(one, ends);
         normal = std::max(normal, normal_of_ends / 4);
         restraint = std::max(restraint, restraint_of_ends / 4);
-        const auto within = [&](double tolerance_here) {
-            return normal <= tolerance_here * normal_scale && restraint <= tolerance_here * restraint_scale &&
-                   std::abs(one.absorbed - two.absorbed) <= tolerance_here * std::max(two.gross, one.gross);
+        const auto within = [&](double share) {
+            return normal <= share * normal_scale && restraint <= share * restraint_scale;
         };
-        if (within(1e-12)) {
+        const bool same_work =
+            std::abs(one.absorbed - two.absorbed) <= 1e-12L * std::max(one.gross, two.gross);
+        if (within(1e-12) && same_work) {
             sum.add(run(centre, to - from), 1);
+            if (depth == 0) varies = false;
         } else if (depth >= most_halvings || within(tolerance)) {
             sum.add(run(centre - g * half, half), 1);
             sum.add(run(centre + g * half, half), 1);
@@ -870,6 +873,14 @@ Record half_hop(const World& world, const World& probe, uint32_t a, bool second,
         }
     };
     panel(panel, second ? 0.5L : 0, second ? 1 : 0.5L, 0);
+    // Slip and contact begin at an end of it more often than not.
+    if (varies)
+        for (const R at : {second ? 0.5L : R(0), second ? R(1) : 0.5L}) {
+            const Record end = run(at, 1e-30L);
+            sum.first_slip = std::min(sum.first_slip, end.first_slip);
+            sum.first_contact = std::min(sum.first_contact, end.first_contact);
+            sum.evaluations += end.evaluations;
+        }
     return sum;
 }
 

@@ -20,7 +20,6 @@ Study studied(const Sheet& s, StudyOptions options = {}) {
         steps.push_back(integrate(motion, s.scene.time, s.scene.dt));
     Study out = accuracy_study(s.scene, steps, options);
     CHECK_FALSE(out.rim);
-    if (getenv("SHOW")) { for (auto& r : out.rows) { printf("%s:", brief(r.settings).c_str()); for (double e : r.worst) printf(" %.2g", e); printf(" %lu\n", (unsigned long)r.cost.evaluations);} for (auto& o : out.orders) { printf("%s %s %s:", o.knob.c_str(), o.quantity.c_str(), std::string(name(o.observed.verdict)).c_str()); for (double e : o.error) printf(" %.2g", e); printf("\n"); } printf("ref %g kinked %d\n", out.reference_error, out.kinked); }
     return out;
 }
 
@@ -103,13 +102,15 @@ TEST_CASE("study: order 2 where the sheet turns under the bead") {
     Sheet s(quarter(4), {20, 0, 40, 0, 5}, 2100);
     s.blank().turn = Motion::Turn{{60, 60, 0}, {0, 0, 1}, TimeTable({0, 1}, {0, 0.2})};
     s.blank().terms.push_back(velocity(0, {0, 1}, {30, -20}));
-    const Study study = studied(s);
+    StudyOptions options;
+    options.tolerances = {1e-2};
+    const Study study = studied(s, options);
     for (const char* quantity : {"work", "dissipated"}) {
         const StudyOrder& one = order(study, "steps", quantity);
         REQUIRE(one.observed.order);
         CHECK(*one.observed.order == Approx(2).margin(0.1));
     }
-    CHECK(study.reference_error < 1e-6);
+    CHECK(study.reference_error < 1e-4);
     check_picks(study);
 }
 
@@ -203,10 +204,10 @@ TEST_CASE("stepped run: what is counted") {
     settings.kinks = Kinks::split; // two bends, two zeros
     CHECK(ran(s, settings).cost.evaluations == 7 * (65 + 4));
     settings.line = {LineRule::Kind::points, 4};
-    CHECK(ran(s, settings).cost.evaluations == 24 * 69);
+    CHECK(ran(s, settings).cost.evaluations == (24 + 2) * 69);
     settings.line = {LineRule::Kind::adaptive, 2};
     // Half hops at five instants and three places find nothing to halve.
-    CHECK(ran(s, settings).cost.evaluations == 12 * 69 + 12 * 5 * 3);
+    CHECK(ran(s, settings).cost.evaluations == (12 + 2) * 69 + 12 * 5 * 3);
     settings.search = Searching::tracked;
     settings.line = {};
     const StudyCounts tracked = ran(s, settings).cost;
@@ -245,7 +246,7 @@ TEST_CASE("line points: parts of hops make up the line") {
         std::vector<double> of_node(4, 0.0);
         for (const LinePoint& p : line_points(
                  4, line, [](uint32_t a, double from, double to) { return a == 1 && to - from > 0.1; }))
-            of_node[p.node] += p.part;
+            if (p.counts) of_node[p.node] += p.part;
         CHECK(of_node == std::vector<double>{0.5, 1, 1, 0.5});
     }
     CHECK(line_points(1, {LineRule::Kind::points, 4}).size() == 1);
