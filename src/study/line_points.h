@@ -16,6 +16,7 @@ struct LinePoint {
     double at = 0;         ///< from a to b, 0 to 1
     uint32_t node = 0;     ///< whose half of the hop it lies on
     double part = 0;       ///< of the hop, as a fraction of it; 0 for a node itself, which counts whole
+    bool counts = true;    ///< false: only asked whether it slips; the ends of the line, where that begins
 };
 
 /// Whether the contact changes along a part of a hop so much that it is to be halved: given its ends as

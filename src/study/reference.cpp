@@ -16,6 +16,7 @@ namespace {
 using R = long double;
 using V = BasicVec3<long double>;
 constexpr R infinity = std::numeric_limits<R>::infinity();
+constexpr int most_halvings = 4; // of half a hop
 
 V wide(Vec3 v) {
     return {v.x, v.y, v.z};
@@ -838,37 +839,48 @@ Record half_hop(const World& world, const World& probe, uint32_t a, bool second,
         return most;
     };
     static const R g = 1 / std::sqrt(3.0L);
+    // A coarse look in time decides how far the parts are halved, and whether one point stands for a part.
+    bool varies = true;
     const auto panel = [&](const auto& self, R from, R to, int depth) -> void {
         const R centre = (from + to) / 2, half = (to - from) / 2;
-        // Where even a coarse look in time sees no change along the part, one point stands for it.
-        if (depth == 0) {
-            const Record coarse = run_in(probe, centre, to - from);
-            Record pair = run_in(probe, centre - g * half, half);
-            pair.add(run_in(probe, centre + g * half, half), 1);
-            sum.evaluations += coarse.evaluations + pair.evaluations;
-            const auto [normal, restraint] = apart(coarse, pair);
-            if (normal <= 1e-12 * normal_scale && restraint <= 1e-12 * restraint_scale &&
-                std::abs(coarse.absorbed - pair.absorbed) <= 1e-12L * pair.gross) {
-                sum.add(run(centre, to - from), 1);
-                return;
-            }
+        const Record one = run_in(probe, centre, to - from);
+        Record two = run_in(probe, centre - g * half, half);
+        two.add(run_in(probe, centre + g * half, half), 1);
+        sum.evaluations += one.evaluations + two.evaluations;
+        // The ends see what both miss: contact that stops within the part.
+        const R edge = 1e-9L * (to - from);
+        Record ends = run_in(probe, from + edge, half);
+        ends.add(run_in(probe, to - edge, half), 1);
+        sum.evaluations += ends.evaluations;
+        auto [normal, restraint] = apart(one, two);
+        const auto [normal_of_ends, restraint_of_ends] = apart(one, ends);
+        normal = std::max(normal, normal_of_ends / 4);
+        restraint = std::max(restraint, restraint_of_ends / 4);
+        const auto within = [&](double share) {
+            return normal <= share * normal_scale && restraint <= share * restraint_scale;
+        };
+        const bool same_work =
+            std::abs(one.absorbed - two.absorbed) <= 1e-12L * std::max(one.gross, two.gross);
+        if (within(1e-12) && same_work) {
+            sum.add(run(centre, to - from), 1);
+            if (depth == 0) varies = false;
+        } else if (depth >= most_halvings || within(tolerance)) {
+            sum.add(run(centre - g * half, half), 1);
+            sum.add(run(centre + g * half, half), 1);
+        } else {
+            self(self, from, centre, depth + 1);
+            self(self, centre, to, depth + 1);
         }
-        const Record one = run(centre, to - from);
-        Record two = run(centre - g * half, half);
-        two.add(run(centre + g * half, half), 1);
-        const auto [normal, restraint] = apart(one, two);
-        sum.evaluations += one.evaluations;
-        if (depth >= 7 || (normal <= tolerance * normal_scale && restraint <= tolerance * restraint_scale)) {
-            two.first_slip = std::min(two.first_slip, one.first_slip);
-            two.first_contact = std::min(two.first_contact, one.first_contact);
-            sum.add(two, 1);
-            return;
-        }
-        sum.evaluations += two.evaluations;
-        self(self, from, centre, depth + 1);
-        self(self, centre, to, depth + 1);
     };
     panel(panel, second ? 0.5L : 0, second ? 1 : 0.5L, 0);
+    // Slip and contact begin at an end of it more often than not.
+    if (varies)
+        for (const R at : {second ? 0.5L : R(0), second ? R(1) : 0.5L}) {
+            const Record end = run(at, 1e-30L);
+            sum.first_slip = std::min(sum.first_slip, end.first_slip);
+            sum.first_contact = std::min(sum.first_contact, end.first_contact);
+            sum.evaluations += end.evaluations;
+        }
     return sum;
 }
 

@@ -23,7 +23,7 @@ std::string_view name(Truth);
 
 struct ReferenceOptions {
     Truth truth = Truth::line;
-    double line_tolerance = 1e-7; ///< of one part of a hop, as a share of the bead's limits
+    double line_tolerance = 5e-6; ///< of one part of a hop, as a share of the bead's limits
     unsigned threads = 1;
 };
 

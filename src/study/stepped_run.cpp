@@ -182,7 +182,7 @@ private:
         at.x = x_[line.a] + line.at * hop;
         at.chord = rounded<Real>(hop);
         at.length = static_cast<Real>(hops);
-        at.share = hops > 0 ? static_cast<Real>(line.part * norm(hop) / hops) : Real(0);
+        at.share = line.counts && hops > 0 ? static_cast<Real>(line.part * norm(hop) / hops) : Real(0);
     }
 
     RealCorners<Real> corners(uint32_t segment) const {
@@ -333,7 +333,12 @@ private:
             std::array<V, 3> normal, across;
             for (std::size_t k = 0; k < 3; ++k) {
                 const double at = from + (to - from) * (0.25 + 0.25 * static_cast<double>(k));
-                Point p{{a, a + 1, at, 0.5 * (from + to) < 0.5 ? a : a + 1, to - from}, {}, {}, {}, 0, false};
+                Point p{{a, a + 1, at, 0.5 * (from + to) < 0.5 ? a : a + 1, to - from, true},
+                        {},
+                        {},
+                        {},
+                        0,
+                        false};
                 shape(p.line, p.now);
                 find(p, p.now);
                 Real none = 0;

@@ -150,23 +150,23 @@ private:
 
     void references() {
         const std::vector<double> times = reference_times(false), coarse = reference_times(true);
-        ReferenceOptions options{options_.truth, 1e-7, options_.threads};
+        ReferenceOptions options{options_.truth, 5e-6, options_.threads};
         const std::size_t beads = given_.beads.size();
         std::map<Truth, Errors> readings;
         for (std::size_t b = 0; b < beads; ++b) {
             say(b, beads, "reference");
             options.truth = options_.truth;
-            options.line_tolerance = 1e-7;
+            options.line_tolerance = 5e-6;
             out_.reference.push_back(reference_of(given_, b, times, options));
             const ReferenceBead& truth = out_.reference.back();
-            options.line_tolerance = 1e-5;
+            options.line_tolerance = 3e-5;
             Errors apart = between(reference_of(given_, b, coarse, options), truth);
             for (const double e : apart)
                 out_.reference_error = std::max(out_.reference_error, e);
             for (const Truth other : {Truth::line, Truth::nodes, Truth::arc}) {
                 if (other == options_.truth) continue;
                 options.truth = other;
-                options.line_tolerance = 1e-7;
+                options.line_tolerance = 5e-6;
                 ReferenceBead reading =
                     reference_of(given_, b, other == Truth::nodes ? times : coarse, options);
                 raise(readings[other], between(reading, truth));
@@ -281,7 +281,7 @@ private:
         std::vector<ManualSettings> columns;
         std::vector<std::pair<LineRule, Tributary>> lines{{{LineRule::Kind::nodes, 2}, Tributary::chord}};
         if (mean_deficit(1) > 1e-13) lines.push_back({{LineRule::Kind::nodes, 2}, Tributary::arc});
-        for (const uint32_t m : {2u, 4u, 8u})
+        for (const uint32_t m : {2u, 4u, 8u, 16u, 32u})
             lines.push_back({{LineRule::Kind::points, m}, Tributary::chord});
         lines.push_back({{LineRule::Kind::adaptive, 2}, Tributary::chord});
         for (const Kinks kinks : {Kinks::stepped, Kinks::split})
@@ -310,7 +310,7 @@ private:
                 row.at_floor = error <= 4 * floor();
                 before = std::min(before, error);
                 out_.rows.push_back(std::move(row));
-                if (rested >= 3 && (error <= 1e-6 || s.kinks == Kinks::split)) break;
+                if (rested >= 3 && (error <= 0.02 || s.kinks == Kinks::split)) break;
             }
         }
     }
@@ -426,9 +426,7 @@ private:
             order.size = size;
             for (const Errors& e : levels)
                 order.error.push_back(of(e, q));
-            // Sums over time of what is exact at each end of a step are exact to rounding.
-            order.observed =
-                observed_order(order.size, order.error, *order.expected, {8 * floor() + 1e-12, 0.1});
+            order.observed = observed_order(order.size, order.error, *order.expected, {1e-11, 0.1});
             out_.orders.push_back(std::move(order));
         }
     }
