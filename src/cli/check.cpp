@@ -2,9 +2,11 @@
 
 #include "base/parallel.h"
 #include "cli/commands.h"
+#include "cli/deck_settings.h"
 #include "cli/paths.h"
 #include "cli/reading.h"
 #include "cli/selection.h"
+#include "config/baseline.h"
 #include "report/writer.h"
 
 #include <algorithm>
@@ -24,14 +26,18 @@ namespace {
 /// Decks that may be finished ahead of one that is still being checked: results wait in memory.
 constexpr std::size_t finished_ahead = 64;
 
-DeckResult check_one(const DeckPath& deck, const CheckCommand& command, const Selection& selection,
+DeckResult check_one(const DeckPath& deck, const CheckCommand& command, const Settings& settings,
                      unsigned threads) {
     if (deck.failed()) return failed_deck(deck.path, deck.failure, deck.help);
     try {
         const Result<DeckSource> source = deck_source(deck.path, command.reading);
         if (!source) return failed_deck(deck.path, source.error().message);
-        return check_deck(source->name, *source->reader, read_options(command.reading, threads),
-                          {selection, threads});
+        ReadOptions reading = read_options(command.reading, threads);
+        reading.include_path = settings.include_path.value;
+        CheckOptions options{settings.selection(), threads};
+        options.limits = settings.rule_limits();
+        options.severity = settings.severities();
+        return check_deck(source->name, *source->reader, reading, options);
     } catch (const std::bad_alloc&) {
         return failed_deck(deck.path, "out of memory", "check fewer decks at a time with -j");
     }
@@ -82,9 +88,18 @@ std::unique_ptr<ReportWriter> make_writer(const CheckCommand& command, OutputSin
 
 int run(const CheckCommand& command) {
     const auto start = std::chrono::steady_clock::now();
-    const Result<Selection> selection = selection_of(command.select, command.ignore);
-    if (!selection) {
-        say_error(selection.error());
+    const std::vector<DeckPath> decks = find_decks(command.paths);
+    const Result<DeckSettings> settings =
+        DeckSettings::of(decks, command.config, command.reading,
+                         {command.select, command.ignore, command.fail_on_given, command.fail_on});
+    if (!settings) {
+        say_error(settings.error());
+        return exit_failed;
+    }
+    if (command.config.show) return settings->show(decks);
+    Result<KnownFindings> known = KnownFindings::of(command.baseline, command.write_baseline);
+    if (!known) {
+        say_error(known.error());
         return exit_failed;
     }
     std::unique_ptr<FileSink> out = std::make_unique<FileSink>(STDOUT_FILENO, "standard output");
@@ -97,7 +112,6 @@ int run(const CheckCommand& command) {
         out = std::move(*file);
     }
 
-    const std::vector<DeckPath> decks = find_decks(command.paths);
     // Several decks are checked side by side; threads that are left over help within each.
     const unsigned threads = thread_count(command.reading);
     const unsigned side_by_side = static_cast<unsigned>(std::clamp<std::size_t>(decks.size(), 1, threads));
@@ -107,13 +121,19 @@ int run(const CheckCommand& command) {
     const bool on_terminal = command.output.file.empty() && ::isatty(STDOUT_FILENO) == 1;
     Progress progress(!command.output.quiet, decks.size());
     Summary summary;
+    bool failing = false;
+    std::size_t taken = 0;
     std::atomic<bool> stop = false;
     InOrder results([&](DeckResult result) {
         if (stop) return;
+        const Settings holds = settings->of(taken++);
+        known->take(result, holds.selection());
         std::vector<DeckResult> one;
         one.push_back(std::move(result));
         const DeckResult& deck = one.front();
-        add(summary, summarise(one));
+        const Summary of_deck = summarise(one);
+        failing = failing || fails(of_deck, fail_on_from(holds.fail_on.value));
+        add(summary, of_deck);
         if (deck.failed() || (on_terminal && !deck.findings.empty())) progress.clear();
         writer->deck(deck);
         if (deck.failed() || on_terminal) out->flush();
@@ -123,7 +143,7 @@ int run(const CheckCommand& command) {
     });
     parallel_for(side_by_side, decks.size(), [&](std::size_t i) {
         results.wait_for_turn(i);
-        results.add(i, stop ? DeckResult{} : check_one(decks[i], command, *selection, within));
+        results.add(i, stop ? DeckResult{} : check_one(decks[i], command, settings->of(i), within));
     });
     writer->end(summary);
     progress.clear();
@@ -132,8 +152,9 @@ int run(const CheckCommand& command) {
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
     summary.seconds = time.count();
     if (!command.output.quiet) say(summary_sentence(summary));
+    if (const int status = known->finish(command.output.quiet); status != exit_clean) return status;
     if (summary.failed > 0) return exit_failed;
-    return fails(summary, command.fail_on) ? exit_findings : exit_clean;
+    return failing ? exit_findings : exit_clean;
 }
 
 } // namespace drawbead

@@ -1,5 +1,5 @@
+#include "base/nearest.h"
 #include "cli/commands.h"
-#include "cli/nearest.h"
 #include "cli/reading.h"
 #include "cli/scene_file.h"
 

@@ -1,8 +1,8 @@
 // The only file that includes CLI11: it takes the compiler many seconds.
 #include "cli/options.h"
 
+#include "base/nearest.h"
 #include "cli/commands.h"
-#include "cli/nearest.h"
 
 #include <CLI/CLI.hpp>
 
@@ -42,6 +42,7 @@ private:
 
     Choice& choice(CLI::App* command, const std::string& name, const Words& words, const std::string& help);
     void reading_options(CLI::App* command, ReadArguments& reading);
+    void config_options(CLI::App* command, ConfigArguments& config);
     void scene_options(CLI::App* command, EvaluateCommand& values);
     std::optional<UsageError> finish();
     UsageError explain(const CLI::ParseError& error, const CLI::App& command) const;
@@ -110,6 +111,15 @@ Parser::Parser() {
     colour_ = &choice(check_, "--color", {"auto", "always", "never"},
                       "When to colour text, NO_COLOR and CLICOLOR_FORCE heeded");
     check_->add_flag("-q,--quiet", check_values_.output.quiet, "No summary and no progress");
+    check_->add_option("--baseline", check_values_.baseline, "Findings that are known and do not count")
+        ->type_name("FILE");
+    check_
+        ->add_option("--write-baseline", check_values_.write_baseline,
+                     "Make all findings known: write them to this file")
+        ->type_name("FILE");
+    config_options(check_, check_values_.config);
+    check_->add_flag("--show-config", check_values_.config.show,
+                     "Print what holds for each deck, with where it comes from, and check nothing");
     reading_options(check_, check_values_.reading);
 
     fix_ = app_.add_subcommand("fix", "Repair the drawbeads of decks");
@@ -141,6 +151,7 @@ Parser::Parser() {
     fix_colour_ = &choice(fix_, "--color", {"auto", "always", "never"},
                           "When to colour text, NO_COLOR and CLICOLOR_FORCE heeded");
     fix_->add_flag("-q,--quiet", fix_values_.output.quiet, "No report");
+    config_options(fix_, fix_values_.config);
     reading_options(fix_, fix_values_.reading);
 
     table_ =
@@ -213,18 +224,19 @@ Parser::Parser() {
     rules_format_ = &choice(rules_, "--format", {"text", "json"}, "How they are printed");
 
     explain_ = app_.add_subcommand("explain", "Print the page of a rule");
-    suggestions_
-        [explain_->add_option("RULE", explain_values_.rule, "Its code or name")->required()->type_name("")] =
-            with_names;
+    suggestions_[explain_->add_option("RULE", explain_values_.rule, "Its code or name; or configuration")
+                     ->required()
+                     ->type_name("")] = with_names;
 
     schema_ = app_.add_subcommand("schema", "Print the JSON Schema of a document");
     suggestions_[schema_
                      ->add_option(
                          "NAME", schema_values_.name,
                          "report: what check --format json writes; audit, evaluation, fix, plan, table:\n"
-                         "what these do; scene: what evaluate reads")
+                         "what these do; scene: what evaluate reads; config: .drawbead.yaml; baseline")
                      ->required()
-                     ->type_name("")] = {"audit", "evaluation", "fix", "plan", "report", "scene", "table"};
+                     ->type_name("")] = {"audit", "baseline", "config", "evaluation", "fix",
+                                         "plan",  "report",   "scene",  "table"};
 
     completion_ = app_.add_subcommand("completion", "Print a completion script for a shell");
     suggestions_[completion_->add_option("SHELL", completion_values_.shell, "bash, zsh or fish")
@@ -258,6 +270,14 @@ void Parser::reading_options(CLI::App* command, ReadArguments& reading) {
     command->add_option("-j,--threads", threads_, "Threads; 0, the default, for all cores")->type_name("N");
 }
 
+void Parser::config_options(CLI::App* command, ConfigArguments& config) {
+    command
+        ->add_option("--config", config.file,
+                     "Configuration for all decks (default: .drawbead.yaml, looked for from each upward)")
+        ->type_name("FILE");
+    command->add_flag("--isolated", config.isolated, "Read no configuration");
+}
+
 /// Times for a deck alone, and where the result goes.
 void Parser::scene_options(CLI::App* command, EvaluateCommand& values) {
     command->add_option("SCENE", values.path, "A scene (.yaml), or a deck that moves as it says")
@@ -289,6 +309,7 @@ std::optional<UsageError> Parser::finish() {
     };
     check_values_.format = static_cast<Format>(index(*check_format_));
     check_values_.fail_on = static_cast<FailOn>(index(*fail_on_));
+    check_values_.fail_on_given = fail_on_->option->count() > 0;
     check_values_.output.colour = static_cast<ColourMode>(index(*colour_));
     table_values_.format = static_cast<TableFormat>(index(*table_format_));
     info_values_.json = index(*info_format_) == 1;
@@ -353,6 +374,10 @@ std::optional<UsageError> Parser::finish() {
     fix_values_.normals = static_cast<FixCommand::Normals>(index(*normals_));
     fix_values_.json = index(*fix_format_) == 1;
     fix_values_.fail_on = static_cast<FailOn>(index(*fix_fail_on_));
+    fix_values_.fail_on_given = fix_fail_on_->option->count() > 0;
+    for (const ConfigArguments* config : {&check_values_.config, &fix_values_.config})
+        if (config->isolated && !config->file.empty())
+            return UsageError{"--config and --isolated exclude each other", "give one of them"};
     fix_values_.output.colour = static_cast<ColourMode>(index(*fix_colour_));
     if (const int ways = int{fix_values_.diff} + int{fix_values_.in_place} + int{fix_values_.dry_run} +
                          int{!fix_values_.output.file.empty()};

@@ -21,6 +21,13 @@ struct ReadArguments {
     unsigned threads = 0;       ///< 0: all cores
 };
 
+/// Which configuration holds.
+struct ConfigArguments {
+    std::string file;      ///< for all decks; empty: looked for from each deck upward
+    bool isolated = false; ///< none
+    bool show = false;     ///< print it and do nothing else
+};
+
 /// Where results go and what stands around them.
 struct OutputArguments {
     std::string file; ///< empty: standard output
@@ -32,6 +39,9 @@ struct CheckCommand {
     std::vector<std::string> paths;
     std::vector<std::string> select, ignore; ///< single entries, as typed
     FailOn fail_on = FailOn::error;
+    bool fail_on_given = false;           ///< on the command line
+    std::string baseline, write_baseline; ///< empty: none
+    ConfigArguments config;
     Format format = Format::full;
     ReadArguments reading;
     OutputArguments output;
@@ -47,6 +57,8 @@ struct FixCommand {
     Normals normals = Normals::surfaces;
     bool json = false;
     FailOn fail_on = FailOn::error;
+    bool fail_on_given = false; ///< on the command line
+    ConfigArguments config;
     ReadArguments reading;
     OutputArguments output; ///< file: where the repaired deck goes, or a folder; "-" standard output
 };

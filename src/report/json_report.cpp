@@ -149,6 +149,23 @@ void write_deck(JsonWriter& json, const DeckResult& deck) {
     for (const Finding& finding : deck.findings)
         write_finding(json, finding);
     json.end();
+    json.member("suppressed", deck.suppressed);
+    json.member("known", deck.known);
+    json.key("gone");
+    json.begin_array();
+    for (const BaselineEntry& entry : deck.gone) {
+        json.begin_object(Layout::line);
+        json.member("code", entry.code);
+        json.key("interface");
+        if (entry.interface_id)
+            json.value(*entry.interface_id);
+        else
+            json.null();
+        json.member("fingerprint", entry.fingerprint);
+        json.member("count", entry.count);
+        json.end();
+    }
+    json.end();
     json.end();
 }
 
@@ -173,6 +190,9 @@ public:
         json_.member("errors", summary.errors);
         json_.member("warnings", summary.warnings);
         json_.member("infos", summary.infos);
+        json_.member("suppressed", summary.suppressed);
+        json_.member("known", summary.known);
+        json_.member("gone", summary.gone);
         json_.end();
         json_.end();
     }

@@ -95,6 +95,11 @@ std::string summary_sentence(const Summary& summary) {
     if (found.empty() && summary.failed < summary.decks) found = "no findings";
     add(summary.failed, "deck", " not read");
     if (found.empty()) found = "nothing to check";
+    std::string besides;
+    if (summary.known > 0) besides = std::to_string(summary.known) + " known";
+    if (summary.suppressed > 0)
+        besides += (besides.empty() ? "" : ", ") + std::to_string(summary.suppressed) + " suppressed";
+    if (!besides.empty()) found += " (" + besides + ')';
 
     char seconds[32];
     const auto end =

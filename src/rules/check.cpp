@@ -28,12 +28,22 @@ int closest(const std::vector<std::string>& entries, const RuleInfo& info) {
     return best;
 }
 
+/// What the user wants instead of the rule's own severity.
+std::optional<Severity> wanted_severity(const std::map<std::string, Severity>& all, const RuleInfo& info) {
+    std::optional<Severity> wanted;
+    int best = 0;
+    for (const auto& [word, severity] : all)
+        if (const int close = closeness(word, info); close > best) best = close, wanted = severity;
+    return wanted;
+}
+
 /// A finding with what it is sorted by: the order in which files are read, then where it stands.
 struct Sorted {
     uint32_t file;
     uint64_t line;
     uint32_t column;
     Finding finding;
+    bool suppressed = false;
 
     auto key() const { return std::tie(file, line, column, finding.code, finding.message); }
 };
@@ -172,8 +182,8 @@ std::optional<std::string> Selection::unknown() const {
 
 Result<std::unique_ptr<CheckedDeck>> read_and_check(const std::string& path, FileReader& reader,
                                                     const ReadOptions& read_options,
-                                                    std::span<const Rule* const> rules, Needs more,
-                                                    unsigned threads) {
+                                                    std::span<const Rule* const> rules, const Limits& limits,
+                                                    Needs more, unsigned threads) {
     Result<Deck> read = Deck::read(path, reader, read_options);
     if (!read) return read.error();
     Needs needs = Needs::counts | more;
@@ -182,24 +192,41 @@ Result<std::unique_ptr<CheckedDeck>> read_and_check(const std::string& path, Fil
     auto checked = std::make_unique<CheckedDeck>();
     checked->deck = std::make_unique<Deck>(std::move(*read));
     checked->model = Model::build(*checked->deck, needs, threads);
-    checked->analysis = analyse(*checked->deck, checked->model, needs, threads);
+    checked->limits = limits;
+    checked->analysis = analyse(*checked->deck, checked->model, limits, needs, threads);
 
+    // Suppressions are judged by what all other rules have found.
+    const auto judges = [&](std::size_t i) { return rules[i]->info.family() == "SUP"; };
+    checked->suppressions = read_suppressions(*checked->deck, checked->model);
     std::vector<Collector> by_rule(rules.size());
-    parallel_for(threads, rules.size(),
-                 [&](std::size_t i) { rules[i]->check(checked->context(), by_rule[i]); });
+    parallel_for(threads, rules.size(), [&](std::size_t i) {
+        if (!judges(i)) rules[i]->check(checked->context(), by_rule[i]);
+    });
+    std::vector<std::vector<bool>> suppressed(rules.size());
     for (std::size_t i = 0; i < rules.size(); ++i)
-        for (Draft& draft : by_rule[i].drafts)
-            checked->drafts.push_back({rules[i], std::move(draft)});
+        for (const Draft& draft : by_rule[i].drafts)
+            suppressed[i].push_back(is_suppressed(checked->suppressions, *rules[i], draft));
+    judge_suppressions(checked->suppressions, rules);
+    for (std::size_t i = 0; i < rules.size(); ++i) {
+        if (judges(i)) rules[i]->check(checked->context(), by_rule[i]);
+        for (std::size_t k = 0; k < by_rule[i].drafts.size(); ++k)
+            checked->drafts.push_back(
+                {rules[i], std::move(by_rule[i].drafts[k]), !judges(i) && suppressed[i][k]});
+    }
     return checked;
 }
 
-DeckResult result_of(const CheckedDeck& checked) {
+DeckResult result_of(const CheckedDeck& checked, const std::map<std::string, Severity>& severity) {
     const Deck& deck = *checked.deck;
     const Model& model = checked.model;
     const Analysis& analysis = checked.analysis;
     std::vector<Sorted> all;
-    for (const RuleDraft& one : checked.drafts)
+    for (const RuleDraft& one : checked.drafts) {
         all.push_back(finding_of(deck, *one.rule, one.draft));
+        all.back().suppressed = one.suppressed;
+        if (const auto wanted = wanted_severity(severity, one.rule->info))
+            all.back().finding.severity = *wanted;
+    }
     std::stable_sort(all.begin(), all.end(),
                      [](const Sorted& a, const Sorted& b) { return a.key() < b.key(); });
     // A file that is included twice says the same thing at the same place twice.
@@ -215,8 +242,12 @@ DeckResult result_of(const CheckedDeck& checked) {
     result.path = deck.path();
     result.info = describe(deck, model);
     if (!analysis.starter.empty()) result.starter = starter_messages(model, analysis.starter);
-    for (Sorted& one : all)
-        result.findings.push_back(std::move(one.finding));
+    for (Sorted& one : all) {
+        if (one.suppressed)
+            ++result.suppressed;
+        else
+            result.findings.push_back(std::move(one.finding));
+    }
     return result;
 }
 
@@ -225,8 +256,9 @@ DeckResult check_deck(const std::string& path, FileReader& reader, const ReadOpt
     std::vector<const Rule*> rules;
     for (const Rule& rule : registry())
         if (options.selection(rule.info)) rules.push_back(&rule);
-    const auto checked = read_and_check(path, reader, read_options, rules, Needs::none, options.threads);
-    return checked ? result_of(**checked) : unreadable_deck(path, checked.error());
+    const auto checked =
+        read_and_check(path, reader, read_options, rules, options.limits, Needs::none, options.threads);
+    return checked ? result_of(**checked, options.severity) : unreadable_deck(path, checked.error());
 }
 
 DeckResult describe_deck(const std::string& path, FileReader& reader, const ReadOptions& options) {

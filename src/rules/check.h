@@ -2,8 +2,11 @@
 // Runs rules over one deck.
 #include "findings/report.h"
 #include "rules/analysis.h"
+#include "rules/limits.h"
 #include "rules/rule.h"
+#include "rules/suppressions.h"
 
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -23,12 +26,16 @@ struct Selection {
 struct CheckOptions {
     Selection selection;
     unsigned threads = 1; ///< within one deck
+    Limits limits{};
+    /// Severities instead of the rules' own, by code, name, family or "ALL"; the closest name counts.
+    std::map<std::string, Severity> severity{};
 };
 
 /// What one rule said of one thing.
 struct RuleDraft {
     const Rule* rule = nullptr;
     Draft draft;
+    bool suppressed = false; ///< a comment in the deck takes it away
 };
 
 /// A deck with all that was made of it and what the rules say.
@@ -36,9 +43,11 @@ struct CheckedDeck {
     std::unique_ptr<Deck> deck;
     Model model;
     Analysis analysis;
+    Limits limits;
+    Suppressions suppressions;
     std::vector<RuleDraft> drafts; ///< by rule, in the order of the registry
 
-    RuleContext context() const { return {*deck, model, analysis}; }
+    RuleContext context() const { return {*deck, model, analysis, limits, suppressions}; }
     /// Gives the memory of everything but the deck's text back.
     void forget() {
         drafts.clear();
@@ -49,10 +58,10 @@ struct CheckedDeck {
 
 /// Runs the rules over a deck that can be read. `more`: needs beyond those of the rules.
 Result<std::unique_ptr<CheckedDeck>> read_and_check(const std::string& path, FileReader&, const ReadOptions&,
-                                                    std::span<const Rule* const> rules, Needs more,
-                                                    unsigned threads);
+                                                    std::span<const Rule* const> rules, const Limits&,
+                                                    Needs more, unsigned threads);
 /// The same as a result that owns what it says: findings sorted by place.
-DeckResult result_of(const CheckedDeck&);
+DeckResult result_of(const CheckedDeck&, const std::map<std::string, Severity>& severity = {});
 /// A deck that cannot be read.
 DeckResult unreadable_deck(const std::string& path, const Error&);
 /// A place with its line and column.

@@ -213,14 +213,14 @@ public:
 
     FixOutcome run() {
         FixOutcome outcome;
-        auto read = read_and_check(path_, disk_, reading_, rules_, needs_, options_.threads);
+        auto read = read_and_check(path_, disk_, reading_, rules_, options_.limits, needs_, options_.threads);
         if (!read) {
             outcome.before = unreadable_deck(path_, read.error());
             return outcome;
         }
         State state{std::move(*read), {}, {}};
         outcome.original = state.checked;
-        outcome.before = result_of(*state.checked);
+        outcome.before = said_of(*state.checked);
         Interfaces interfaces;
         interfaces.take(*state.checked, outcome.before, false);
         bool alone = false;
@@ -246,7 +246,7 @@ public:
             if (!read_again(state, outcome)) break;
         }
         outcome.result = state.checked;
-        outcome.after = result_of(*state.checked);
+        outcome.after = said_of(*state.checked);
         take_files(state, outcome);
         interfaces.take(*state.checked, outcome.after, true);
         outcome.force_unit = unit_name(state.checked->deck->work_units(), force_dimension);
@@ -256,6 +256,15 @@ public:
     }
 
 private:
+    DeckResult said_of(const CheckedDeck& checked) const {
+        DeckResult result = result_of(checked, options_.severity);
+        std::erase_if(result.findings, [&](const Finding& finding) {
+            const RuleInfo& info = find_rule(finding.code)->info;
+            return !options_.counted(info) && !options_.selection(info);
+        });
+        return result;
+    }
+
     /// The fixes of the next round; `alone`: only one. What cannot be fixed goes to `declined`, which then
     /// describes this round.
     std::vector<Planned> plan_round(const CheckedDeck& checked, bool alone,
@@ -264,7 +273,8 @@ private:
         declined.clear();
         std::vector<const RuleDraft*> drafts;
         for (const RuleDraft& one : checked.drafts)
-            if (one.rule->fix && options_.selection(one.rule->info)) drafts.push_back(&one);
+            if (one.rule->fix && !one.suppressed && options_.selection(one.rule->info))
+                drafts.push_back(&one);
         if (drafts.empty()) return plan;
         std::stable_sort(drafts.begin(), drafts.end(), [](const RuleDraft* a, const RuleDraft* b) {
             return stage_of(a->rule->info) < stage_of(b->rule->info);
@@ -351,7 +361,8 @@ private:
         const Errors errors(before);
         before.forget();
         EditedReader reader(disk_, *before.deck, edits, options_.threads);
-        auto read = read_and_check(path_, reader, reading_, rules_, needs_, options_.threads);
+        auto read =
+            read_and_check(path_, reader, reading_, rules_, options_.limits, needs_, options_.threads);
         if (!read) return "the result could not be read: " + read.error().message;
         const CheckedDeck& after = **read;
         if (after.deck->files().size() != before.deck->files().size())
@@ -376,7 +387,8 @@ private:
     /// The deck before a round that came to nothing.
     bool read_again(State& state, FixOutcome& outcome) {
         EditedReader reader(disk_, *outcome.original->deck, state.edits, options_.threads);
-        auto read = read_and_check(path_, reader, reading_, rules_, needs_, options_.threads);
+        auto read =
+            read_and_check(path_, reader, reading_, rules_, options_.limits, needs_, options_.threads);
         if (!read) return false;
         state.texts = reader.texts();
         state.checked = std::move(*read);
