@@ -78,7 +78,12 @@ private:
             return parent.node->items.emplace_back(std::move(node));
         auto& entries = parent.node->entries;
         parent.key_is_next = !parent.key_is_next;
-        if (parent.key_is_next) return entries.back().second = std::move(node);
+        if (parent.key_is_next) {
+            const YamlNode& of = entries.back().first;
+            if (kind == YamlNode::Kind::empty) // a value that is not there is missed at its key
+                node.line = of.line, node.column = of.column;
+            return entries.back().second = std::move(node);
+        }
         if (kind == YamlNode::Kind::list || kind == YamlNode::Kind::map)
             throw Refused{mark, "a key must be a word", ""};
         return entries.emplace_back(std::move(node), YamlNode{}).first;

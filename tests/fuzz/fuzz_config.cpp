@@ -14,6 +14,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, std::size_t size) {
     }
     const Settings settings = settle(&*config, "a/b_0000.rad", {});
     const Result<Config> again = parse_config(show(settings, "a/b_0000.rad"), "c.yaml");
-    if (!again || !(settle(&*again, "a/b_0000.rad", {}).rule_limits() == settings.rule_limits())) std::abort();
+    if (!again || !(settle(&*again, "a/b_0000.rad", {}).rule_limits() == settings.rule_limits()))
+        std::abort();
     return 0;
 }
