@@ -2,12 +2,14 @@
 
 #include "base/parallel.h"
 #include "cli/commands.h"
+#include "cli/deck_settings.h"
 #include "cli/interrupt.h"
 #include "cli/outputs.h"
 #include "cli/paths.h"
 #include "cli/reading.h"
 #include "cli/scene_times.h"
 #include "cli/selection.h"
+#include "config/baseline.h"
 #include "report/table.h"
 #include "report/writer.h"
 
@@ -29,12 +31,18 @@ namespace {
 /// Decks that may be finished ahead of one that is still being checked: results wait in memory.
 constexpr std::size_t finished_ahead = 64;
 
-DeckResult check_one(const DeckPath& deck, const ReadArguments& reading, const CheckOptions& options) {
+DeckResult check_one(const DeckPath& deck, const ReadArguments& reading, const Settings& settings,
+                     CheckOptions options) {
     if (deck.failed()) return failed_deck(deck.path, deck.failure, deck.help);
     try {
         const Result<DeckSource> source = deck_source(deck.path, reading);
         if (!source) return failed_deck(deck.path, source.error().message);
-        return check_deck(source->name, *source->reader, read_options(reading, options.threads), options);
+        ReadOptions how = read_options(reading, options.threads);
+        how.include_path = settings.include_path.value;
+        options.selection = settings.selection();
+        options.limits = settings.rule_limits();
+        options.severity = settings.severities();
+        return check_deck(source->name, *source->reader, how, options);
     } catch (const std::bad_alloc&) {
         return failed_deck(deck.path, "out of memory", "check fewer decks at a time with -j");
     }
@@ -147,11 +155,6 @@ private:
 
 int run(const CheckCommand& command) {
     const auto start = std::chrono::steady_clock::now();
-    const Result<Selection> selection = selection_of(command.select, command.ignore);
-    if (!selection) {
-        say_error(selection.error());
-        return exit_failed;
-    }
     note_interrupts();
     std::vector<DeckPath> decks;
     std::optional<SceneMotion> scene;
@@ -176,6 +179,19 @@ int run(const CheckCommand& command) {
         options.shard = Shard{command.shard->number, command.shard->of};
         decks = part_of(std::move(decks), *options.shard);
     }
+    const Result<DeckSettings> settings =
+        DeckSettings::of(decks, command.config, command.reading,
+                         {command.select, command.ignore, command.fail_on_given, command.fail_on});
+    if (!settings) {
+        say_error(settings.error());
+        return exit_failed;
+    }
+    if (command.config.show) return settings->show(decks);
+    Result<KnownFindings> known = KnownFindings::of(command.baseline, command.write_baseline);
+    if (!known) {
+        say_error(known.error());
+        return exit_failed;
+    }
     std::vector<std::string> inputs;
     for (const DeckPath& deck : decks)
         inputs.push_back(deck.path);
@@ -194,23 +210,32 @@ int run(const CheckCommand& command) {
     const bool changes = std::any_of(command.outputs.begin(), command.outputs.end(),
                                      [](const OutputTarget& one) { return holds_changes(one.format); });
     Statistics statistics;
-    const CheckOptions checking{*selection, within, changes, command.statistics ? &statistics.times : nullptr,
-                                std::move(scene)};
+    CheckOptions checking; // and for each deck what its settings say
+    checking.threads = within;
+    checking.with_changes = changes;
+    checking.times = command.statistics ? &statistics.times : nullptr;
+    checking.scene = std::move(scene);
 
     if (decks.size() > 1) keep_memory();
 
     Progress progress(!command.output.quiet, decks.size());
     Summary summary;
     summary.asked = decks.size();
+    bool failing = false;
+    std::size_t taken = 0;
     std::atomic<bool> stop = false;
     InOrder results([&](std::optional<DeckResult> result) {
         // What is written is the first decks, without a hole.
         if (!result) stop = true;
         if (stop) return;
+        const Settings holds = settings->of(taken++);
+        known->take(result, holds.selection());
         std::vector<DeckResult> one;
         one.push_back(std::move(*result));
         const DeckResult& deck = one.front();
-        add(summary, summarise(one));
+        const Summary of_deck = summarise(one);
+        failing = failing || fails(of_deck, fail_on_from(holds.fail_on.value));
+        add(summary, of_deck);
         statistics.count(deck);
         if (deck.failed() || (outputs.on_terminal() && !deck.findings.empty())) progress.clear();
         outputs.deck(deck);
@@ -222,7 +247,8 @@ int run(const CheckCommand& command) {
     parallel_for(side_by_side, decks.size(), [&](std::size_t i) {
         results.wait_for_turn(i);
         std::optional<DeckResult> result;
-        if (!stop && interrupt_signal() == 0) result = check_one(decks[i], command.reading, checking);
+        if (!stop && interrupt_signal() == 0)
+            result = check_one(decks[i], command.reading, settings->of(i), checking);
         // Half of what was to come from standard input is no deck.
         if (decks[i].path == "-" && interrupt_signal() != 0) result.reset();
         results.add(i, std::move(result));
@@ -230,7 +256,7 @@ int run(const CheckCommand& command) {
     progress.clear();
     const int signal = summary.decks < summary.asked ? interrupt_signal() : 0;
     summary.interrupted = signal != 0;
-    summary.exit_status = exit_status_of(summary, command.fail_on, signal);
+    summary.exit_status = exit_status_of(summary, failing, signal);
     outputs.end(summary);
 
     if (const int status = outputs.finish(); status != exit_clean) return status;
@@ -238,6 +264,9 @@ int run(const CheckCommand& command) {
     summary.seconds = time.count();
     if (!command.output.quiet || summary.interrupted) say(summary_sentence(summary));
     if (command.statistics) statistics.say();
+    // What was not looked at is neither gone nor known.
+    if (!summary.interrupted)
+        if (const int status = known->finish(command.output.quiet); status != exit_clean) return status;
     return summary.exit_status;
 }
 

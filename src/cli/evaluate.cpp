@@ -1,7 +1,7 @@
 #include "cli/evaluation_input.h"
 
+#include "base/nearest.h"
 #include "cli/commands.h"
-#include "cli/nearest.h"
 #include "cli/reading.h"
 #include "cli/scene_file.h"
 #include "cli/scene_times.h"

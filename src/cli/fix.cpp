@@ -1,6 +1,7 @@
 #include "rules/fix.h"
 
 #include "cli/commands.h"
+#include "cli/deck_settings.h"
 #include "cli/outputs.h"
 #include "cli/paths.h"
 #include "cli/reading.h"
@@ -129,14 +130,20 @@ DeckResult with_verdicts(const FixOutcome& outcome) {
 
 /// Repairs one deck and puts the result where the command says. `findings`: takes them when they are asked
 /// for.
-FixReport fix_one(const DeckPath& deck, const FixCommand& command, const FixOptions& options, OutputSink& out,
+FixReport fix_one(const DeckPath& deck, const FixCommand& command, const Settings& settings,
+                  const Selection& counted, FixOptions options, OutputSink& out,
                   std::optional<DeckResult>& findings) {
     if (deck.failed()) return failed_report(deck.path, deck.failure, deck.help);
     if (deck.path == "-" && command.in_place)
         return failed_report(deck.path, "standard input cannot be repaired in place", "use -o");
     const Result<DeckSource> source = deck_source(deck.path, command.reading);
     if (!source) return failed_report(deck.path, source.error().message, source.error().help);
-    const ReadOptions reading = read_options(command.reading, options.threads);
+    ReadOptions reading = read_options(command.reading, options.threads);
+    reading.include_path = settings.include_path.value;
+    options.selection = settings.selection();
+    options.counted = counted;
+    options.limits = settings.rule_limits();
+    options.severity = settings.severities();
     const FixOutcome outcome = run_fixes(source->name, *source->reader, reading, options);
     if (options.with_changes) findings = with_verdicts(outcome);
     if (outcome.before.failed()) {
@@ -173,19 +180,20 @@ FixReport fix_one(const DeckPath& deck, const FixCommand& command, const FixOpti
 } // namespace
 
 int run(const FixCommand& command) {
-    const Result<Selection> selection = selection_of(command.select, command.ignore);
-    if (!selection) {
-        say_error(selection.error());
+    const std::vector<DeckPath> decks = find_decks(command.paths);
+    const Result<DeckSettings> settings =
+        DeckSettings::of(decks, command.config, command.reading,
+                         {command.select, command.ignore, command.fail_on_given, command.fail_on});
+    if (!settings) {
+        say_error(settings.error());
         return exit_failed;
     }
-    const std::vector<DeckPath> decks = find_decks(command.paths);
     if (decks.size() != 1 && !command.output.file.empty()) {
         say_error({"-o takes the repair of one deck, and there are " + std::to_string(decks.size()), "", 0, 0,
                    "use --in-place or --diff"});
         return exit_failed;
     }
     FixOptions options;
-    options.selection = *selection;
     options.choices.unsafe = command.unsafe;
     options.choices.normals =
         command.normals == FixCommand::Normals::elements ? NormalsMode::elements : NormalsMode::surfaces;
@@ -217,21 +225,23 @@ int run(const FixCommand& command) {
     OutputSink& report_sink = aside ? static_cast<OutputSink&>(errors) : out;
     const bool colour = wants_colour(command.output.colour, aside ? STDERR_FILENO : STDOUT_FILENO);
 
-    Summary left, found;
-    bool failed = false;
+    Summary found;
+    bool failed = false, failing = false;
     std::vector<FixReport> reports;
-    for (const DeckPath& deck : decks) {
+    for (std::size_t i = 0; i < decks.size(); ++i) {
+        const DeckPath& deck = decks[i];
+        const Settings holds = settings->of(i);
         FixReport report;
         std::optional<DeckResult> findings;
         try {
-            report = fix_one(deck, command, options, out, findings);
+            report = fix_one(deck, command, holds, settings->of_files(i).selection(), options, out, findings);
         } catch (const std::bad_alloc&) {
             report = failed_report(deck.path, "out of memory", "");
         }
         if (report.failed() && report.applied.empty() && (deck.failed() || deck.path == "-"))
             say_error({report.failure, report.path, 0, 0, report.failure_help});
         failed = failed || report.failed();
-        add(left, report.remaining);
+        failing = failing || fails(report.remaining, fail_on_from(holds.fail_on.value));
         if (options.with_changes) {
             if (!findings) findings = failed_deck(report.path, report.failure, report.failure_help);
             std::vector<DeckResult> one;
@@ -245,7 +255,7 @@ int run(const FixCommand& command) {
     }
     if (command.json) write_fix_json(report_sink, reports, tool_version());
     errors.flush();
-    const int status = failed ? exit_failed : fails(left, command.fail_on) ? exit_findings : exit_clean;
+    const int status = failed ? exit_failed : failing ? exit_findings : exit_clean;
     found.asked = decks.size();
     found.exit_status = status;
     (*outputs)->end(found);

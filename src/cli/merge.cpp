@@ -100,7 +100,7 @@ int run(const MergeCommand& command) {
         add(summary, summarise(one));
         (*outputs)->deck(*deck);
     }
-    summary.exit_status = exit_status_of(summary, command.fail_on, 0);
+    summary.exit_status = exit_status_of(summary, fails(summary, command.fail_on), 0);
     (*outputs)->end(summary);
     if (const int status = (*outputs)->finish(); status != exit_clean) return status;
     if (!command.output.quiet) say(counts_sentence(summary));

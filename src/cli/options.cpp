@@ -1,8 +1,8 @@
 // The only file that includes CLI11: it takes the compiler many seconds.
 #include "cli/options.h"
 
+#include "base/nearest.h"
 #include "cli/commands.h"
-#include "cli/nearest.h"
 #include "report/text.h"
 
 #include <CLI/CLI.hpp>
@@ -98,6 +98,7 @@ private:
 
     Choice& choice(CLI::App* command, const std::string& name, const Words& words, const std::string& help);
     void reading_options(CLI::App* command, ReadArguments& reading);
+    void config_options(CLI::App* command, ConfigArguments& config);
     void scene_options(CLI::App* command, EvaluateCommand& values);
     void accuracy_options();
     static void output_option(CLI::App* command, Words& outputs);
@@ -181,6 +182,15 @@ Parser::Parser() {
     colour_ = &choice(check_, "--color", {"auto", "always", "never"},
                       "When to colour text, NO_COLOR and CLICOLOR_FORCE heeded");
     check_->add_flag("-q,--quiet", check_values_.output.quiet, "No summary and no progress");
+    check_->add_option("--baseline", check_values_.baseline, "Findings that are known and do not count")
+        ->type_name("FILE");
+    check_
+        ->add_option("--write-baseline", check_values_.write_baseline,
+                     "Make all findings known: write them to this file")
+        ->type_name("FILE");
+    config_options(check_, check_values_.config);
+    check_->add_flag("--show-config", check_values_.config.show,
+                     "Print what holds for each deck, with where it comes from, and check nothing");
     reading_options(check_, check_values_.reading);
 
     merge_ = app_.add_subcommand("merge", "Join JSON reports of check, into any of its formats");
@@ -230,6 +240,7 @@ Parser::Parser() {
     fix_colour_ = &choice(fix_, "--color", {"auto", "always", "never"},
                           "When to colour text, NO_COLOR and CLICOLOR_FORCE heeded");
     fix_->add_flag("-q,--quiet", fix_values_.output.quiet, "No report");
+    config_options(fix_, fix_values_.config);
     reading_options(fix_, fix_values_.reading);
 
     table_ =
@@ -304,9 +315,9 @@ Parser::Parser() {
     rules_format_ = &choice(rules_, "--format", {"text", "json"}, "How they are printed");
 
     explain_ = app_.add_subcommand("explain", "Print the page of a rule");
-    suggestions_
-        [explain_->add_option("RULE", explain_values_.rule, "Its code or name")->required()->type_name("")] =
-            with_names;
+    suggestions_[explain_->add_option("RULE", explain_values_.rule, "Its code or name; or configuration")
+                     ->required()
+                     ->type_name("")] = with_names;
 
     schema_ = app_.add_subcommand("schema", "Print the JSON Schema of a document");
     suggestions_[schema_
@@ -314,11 +325,10 @@ Parser::Parser() {
                          "NAME", schema_values_.name,
                          "report: what check --format json writes; lines: with --format jsonl, each\n"
                          "line; accuracy, audit, evaluation, fix, plan, table: what these do;\n"
-                         "scene: what\n"
-                         "evaluate reads")
+                         "scene: what evaluate reads; config: .drawbead.yaml; baseline")
                      ->required()
-                     ->type_name("")] = {"accuracy", "audit",  "evaluation", "fix",  "lines",
-                                         "plan",     "report", "scene",      "table"};
+                     ->type_name("")] = {"accuracy", "audit", "baseline", "config", "evaluation", "fix",
+                                         "lines",    "plan",  "report",   "scene",  "table"};
 
     completion_ = app_.add_subcommand("completion", "Print a completion script for a shell");
     suggestions_[completion_->add_option("SHELL", completion_values_.shell, "bash, zsh or fish")
@@ -359,6 +369,14 @@ void Parser::reading_options(CLI::App* command, ReadArguments& reading) {
                      "What standard input is called; its includes are looked up beside it")
         ->type_name("FILE");
     command->add_option("-j,--threads", threads_, "Threads; 0, the default, for all cores")->type_name("N");
+}
+
+void Parser::config_options(CLI::App* command, ConfigArguments& config) {
+    command
+        ->add_option("--config", config.file,
+                     "Configuration for all decks (default: .drawbead.yaml, looked for from each upward)")
+        ->type_name("FILE");
+    command->add_flag("--isolated", config.isolated, "Read no configuration");
 }
 
 /// Times for a deck alone, and where the result goes.
@@ -448,6 +466,7 @@ std::optional<UsageError> Parser::finish() {
         return UsageError{"--scene names its deck itself", "please leave out PATH or --scene"};
     if (std::optional<UsageError> error = finish_reports()) return error;
     check_values_.fail_on = static_cast<FailOn>(index(*fail_on_));
+    check_values_.fail_on_given = fail_on_->option->count() > 0;
     check_values_.output.colour = static_cast<ColourMode>(index(*colour_));
     table_values_.format = static_cast<TableFormat>(index(*table_format_));
     info_values_.json = index(*info_format_) == 1;
@@ -513,6 +532,10 @@ std::optional<UsageError> Parser::finish() {
     fix_values_.normals = static_cast<FixCommand::Normals>(index(*normals_));
     fix_values_.json = fix_format_->value == "json";
     fix_values_.fail_on = static_cast<FailOn>(index(*fix_fail_on_));
+    fix_values_.fail_on_given = fix_fail_on_->option->count() > 0;
+    for (const ConfigArguments* config : {&check_values_.config, &fix_values_.config})
+        if (config->isolated && !config->file.empty())
+            return UsageError{"--config and --isolated exclude each other", "give one of them"};
     fix_values_.output.colour = static_cast<ColourMode>(index(*fix_colour_));
     if (const int ways = int{fix_values_.diff} + int{fix_values_.in_place} + int{fix_values_.dry_run} +
                          int{!fix_values_.output.file.empty()};

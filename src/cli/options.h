@@ -21,6 +21,13 @@ struct ReadArguments {
     unsigned threads = 0;       ///< 0: all cores
 };
 
+/// Which configuration holds.
+struct ConfigArguments {
+    std::string file;      ///< for all decks; empty: looked for from each deck upward
+    bool isolated = false; ///< none
+    bool show = false;     ///< print it and do nothing else
+};
+
 /// Where results go and what stands around them.
 struct OutputArguments {
     std::string file; ///< empty: standard output
@@ -44,6 +51,9 @@ struct CheckCommand {
     std::string scene;                       ///< names the deck, and how things move; empty: none
     std::vector<std::string> select, ignore; ///< single entries, as typed
     FailOn fail_on = FailOn::error;
+    bool fail_on_given = false;           ///< on the command line
+    std::string baseline, write_baseline; ///< empty: none
+    ConfigArguments config;
     std::vector<OutputTarget> outputs; ///< at least one, all different
     std::optional<ShardArgument> shard;
     bool statistics = false;
@@ -70,6 +80,8 @@ struct FixCommand {
     bool json = false;
     std::vector<OutputTarget> findings; ///< the findings and what would be done about them, in these formats
     FailOn fail_on = FailOn::error;
+    bool fail_on_given = false; ///< on the command line
+    ConfigArguments config;
     ReadArguments reading;
     OutputArguments output; ///< file: where the repaired deck goes, or a folder; "-" standard output
 };

@@ -126,10 +126,10 @@ std::optional<Severity> least_failing(FailOn fail_on) {
     return std::nullopt;
 }
 
-int exit_status_of(const Summary& summary, FailOn fail_on, int signal) {
+int exit_status_of(const Summary& summary, bool failing, int signal) {
     if (signal) return 128 + signal;
     if (summary.interrupted || summary.failed > 0) return exit_failed;
-    return fails(summary, fail_on) ? exit_findings : exit_clean;
+    return failing ? exit_findings : exit_clean;
 }
 
 } // namespace drawbead

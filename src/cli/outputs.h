@@ -49,6 +49,6 @@ std::vector<RuleInfo> rule_catalogue();
 std::optional<Severity> least_failing(FailOn);
 
 /// What a run over decks ends with. `signal`: the one that ended it early, 0 for none.
-int exit_status_of(const Summary&, FailOn, int signal);
+int exit_status_of(const Summary&, bool failing, int signal);
 
 } // namespace drawbead

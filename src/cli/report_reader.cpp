@@ -217,6 +217,13 @@ DeckInfo info_of(const Value& json) {
     return info;
 }
 
+BaselineEntry entry_of(const Value& json) {
+    BaselineEntry entry{json["fingerprint"].text(), json["code"].text(), std::nullopt, json["count"].count()};
+    if (const Value interface_id = json["interface"]; !interface_id.is_null())
+        entry.interface_id = interface_id.integer();
+    return entry;
+}
+
 DeckResult deck_of(const Value& json) {
     DeckResult deck;
     deck.path = json["path"].text();
@@ -238,6 +245,11 @@ DeckResult deck_of(const Value& json) {
         });
     }
     json["findings"].each([&](const Value& finding) { deck.findings.push_back(finding_of(finding)); });
+    // Reports of the time before suppressions and baselines do not have these.
+    if (json.has("suppressed")) deck.suppressed = json["suppressed"].count();
+    if (json.has("known")) deck.known = json["known"].count();
+    if (json.has("gone"))
+        json["gone"].each([&](const Value& entry) { deck.gone.push_back(entry_of(entry)); });
     return deck;
 }
 

@@ -1,7 +1,7 @@
 // The only file that includes yaml-cpp.
 #include "cli/scene_file.h"
 
-#include "cli/nearest.h"
+#include "base/nearest.h"
 
 #include <yaml-cpp/yaml.h>
 

@@ -37,10 +37,31 @@ bool is_mark(std::string_view bytes, uint64_t offset) {
     return (next >= 'A' && next <= 'Z') || next == '/';
 }
 
+/// Whether the '#' at `offset` opens a comment line that begins with a word and a colon.
+bool is_remark(std::string_view bytes, uint64_t offset) {
+    constexpr uint64_t longest_word = 32;
+    if (bytes[offset] != '#' || (offset > 0 && bytes[offset - 1] != '\n')) return false;
+    uint64_t at = offset + 1;
+    while (at < bytes.size() && (bytes[at] == ' ' || bytes[at] == '\t'))
+        ++at;
+    const uint64_t word = at;
+    while (at < bytes.size() && at - word < longest_word &&
+           ((bytes[at] >= 'a' && bytes[at] <= 'z') || (bytes[at] >= 'A' && bytes[at] <= 'Z')))
+        ++at;
+    return at > word && at < bytes.size() && bytes[at] == ':';
+}
+
 struct Piece {
-    std::vector<uint64_t> marks;
+    std::vector<uint64_t> marks, remarks;
     uint64_t newlines = 0;
 };
+
+void note(std::string_view bytes, uint64_t offset, Piece& piece) {
+    if (is_mark(bytes, offset))
+        piece.marks.push_back(offset);
+    else if (is_remark(bytes, offset))
+        piece.remarks.push_back(offset);
+}
 
 /// Body of the scan, compiled for the base instruction set and for AVX2: the compiler turns the inner loop
 /// into a few vector compares per chunk.
@@ -59,12 +80,11 @@ __attribute__((always_inline)) inline void scan_body(std::string_view bytes, uin
         piece.newlines += count;
         if (!interesting) continue;
         for (std::size_t i = 0; i < chunk; ++i)
-            if ((data[at + i] == '/' || data[at + i] == '#') && is_mark(bytes, at + i))
-                piece.marks.push_back(at + i);
+            if (data[at + i] == '/' || data[at + i] == '#') note(bytes, at + i, piece);
     }
     for (; at < end; ++at) {
         piece.newlines += data[at] == '\n';
-        if ((data[at] == '/' || data[at] == '#') && is_mark(bytes, at)) piece.marks.push_back(at);
+        if (data[at] == '/' || data[at] == '#') note(bytes, at, piece);
     }
 }
 
@@ -104,6 +124,7 @@ LineScan scan_lines(std::string_view bytes, unsigned threads) {
     for (const Piece& piece : pieces) {
         result.newlines.push_back(result.newlines.back() + piece.newlines);
         result.marks.insert(result.marks.end(), piece.marks.begin(), piece.marks.end());
+        result.remarks.insert(result.remarks.end(), piece.remarks.begin(), piece.remarks.end());
     }
     return result;
 }

@@ -147,6 +147,23 @@ void write_deck(JsonWriter& json, const DeckResult& deck) {
         json.end();
     }
     json.end();
+    json.member("suppressed", deck.suppressed);
+    json.member("known", deck.known);
+    json.key("gone");
+    json.begin_array();
+    for (const BaselineEntry& entry : deck.gone) {
+        json.begin_object(Layout::line);
+        json.member("code", entry.code);
+        json.key("interface");
+        if (entry.interface_id)
+            json.value(*entry.interface_id);
+        else
+            json.null();
+        json.member("fingerprint", entry.fingerprint);
+        json.member("count", entry.count);
+        json.end();
+    }
+    json.end();
     json.note_damaged(nullptr);
     if (!damaged.empty()) {
         for (std::string& text : damaged)
@@ -238,6 +255,9 @@ void write_summary_members(JsonWriter& json, const Summary& summary) {
     json.member("errors", summary.errors);
     json.member("warnings", summary.warnings);
     json.member("infos", summary.infos);
+    json.member("suppressed", summary.suppressed);
+    json.member("known", summary.known);
+    json.member("gone", summary.gone);
     if (summary.interrupted) {
         json.member("interrupted", true);
         json.member("asked", summary.asked);

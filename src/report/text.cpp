@@ -111,6 +111,11 @@ std::string counts_sentence(const Summary& summary) {
     if (found.empty() && summary.failed < summary.decks) found = "no findings";
     add(summary.failed, "deck", " not read");
     if (found.empty()) found = "nothing to check";
+    std::string besides;
+    if (summary.known > 0) besides = std::to_string(summary.known) + " known";
+    if (summary.suppressed > 0)
+        besides += (besides.empty() ? "" : ", ") + std::to_string(summary.suppressed) + " suppressed";
+    if (!besides.empty()) found += " (" + besides + ')';
     if (summary.interrupted)
         found +=
             ", interrupted after " + std::to_string(summary.decks) + " of " + std::to_string(summary.asked);

@@ -2,6 +2,7 @@
 
 #include "base/parallel.h"
 #include "geometry/segment_shape.h"
+#include "rules/limits.h"
 #include "rules/srf/near_surface.h"
 #include "scene/deck_contact.h"
 
@@ -37,19 +38,35 @@ BeadAnalysis analyse_line(const Model& model, const Drawbead& bead) {
     return a;
 }
 
-void check_list(BeadAnalysis& a) {
+LineLimits line_limits(const Limits& limits) {
+    LineLimits out;
+    out.gap_ratio = limits.LIN001_ratio;
+    out.gap_elements = limits.LIN001_elements;
+    out.coincident = limits.LIN003_coincident_steps;
+    out.fold_degrees = limits.LIN004_turn_degrees;
+    out.corner_degrees = limits.LIN005_turn_degrees;
+    out.closed_steps = limits.LIN006_end_steps;
+    out.over_element = limits.LIN009_elements;
+    out.fine_element = limits.LIN010_elements;
+    out.uneven_ratio = limits.LIN011_ratio;
+    return out;
+}
+
+SideLimits limits_of_sides(const Limits& limits) {
+    return {.reach = limits.SRF001_reach_elements,
+            .in_surface = limits.SRF004_in_surface_elements,
+            .minority = limits.SRF001_minority_share};
+}
+
+void check_list(BeadAnalysis& a, const LineLimits& limits) {
     std::vector<uint32_t> node;
     std::vector<double> element;
     for (const NodeRow row : a.group->nodes)
         node.push_back(index(row));
     for (const BeadHit& h : a.hit)
         element.push_back(h.element);
-    LineLimits limits;
-    limits.over_element = 1.001; // a step as long as the element is not longer, whatever the rounding
     a.check = check_line(a.x, node, element, limits);
 }
-
-constexpr SideLimits side_limits{};
 
 /// Of how many nodes one is enough to see whether there is another layer: of a bead whose nodes are closer
 /// than the elements under it, one per four elements, but 8 of them at least; of a long one, 96.
@@ -68,9 +85,9 @@ std::size_t layer_step(const BeadAnalysis& a) {
 
 /// Another layer of the surface as far from bead nodes as the closest one, or little farther. A long bead is
 /// looked at every few nodes, and closely only when one of these has found something: layers go on.
-void find_other_layers(const NearMesh& mesh, const ClosestSegment& closest, BeadAnalysis& a,
-                       unsigned threads) {
-    constexpr double ratio = 1.5, elements = 2; // as ContactOptions
+void find_other_layers(const NearMesh& mesh, const ClosestSegment& closest, const Limits& limits,
+                       BeadAnalysis& a, unsigned threads) {
+    const double ratio = limits.SRF010_ratio, elements = limits.SRF010_elements;
     constexpr std::size_t chunk = 16;
     const auto look = [&](std::size_t i) {
         BeadHit& h = a.hit[i];
@@ -131,9 +148,9 @@ bool take_hits(const NearMesh& mesh, const std::vector<InterfaceContact>& contac
 
 /// How many elements on either side of the beads of a surface are judged: some, or as far as the beads
 /// travel.
-double side_reach_of(const Analysis& all, const std::vector<BeadAnalysis*>& beads) {
+double side_reach_of(const Analysis& all, const std::vector<BeadAnalysis*>& beads, double least) {
     constexpr double most = 30; // the part of the surface grows with it
-    double reach = side_limits.reach;
+    double reach = least;
     for (const BeadAnalysis* a : beads) {
         const auto b = static_cast<std::size_t>(a - all.beads.data());
         if (b >= all.path.size() || !all.path[b].known()) continue;
@@ -146,8 +163,8 @@ double side_reach_of(const Analysis& all, const std::vector<BeadAnalysis*>& bead
 /// Exact closest segments of all beads of a surface, and the part of the surface around them: from the
 /// contact where it is there and large enough.
 void find_closest(const Model& model, std::size_t number, const std::vector<BeadAnalysis*>& beads,
-                  const DeckContact& contact, SurfaceAnalysis& out, double side_reach, bool layers,
-                  unsigned threads) {
+                  const DeckContact& contact, const Limits& limits, SurfaceAnalysis& out, double side_reach,
+                  bool layers, unsigned threads) {
     if (!contact.surfaces.empty()) {
         const NearMesh& mesh = contact.surfaces[number].mesh;
         if (!mesh.segment.empty() && take_hits(mesh, contact.interfaces, side_reach, beads, threads)) {
@@ -155,7 +172,7 @@ void find_closest(const Model& model, std::size_t number, const std::vector<Bead
             if (!layers) return;
             const ClosestSegment closest(mesh);
             for (BeadAnalysis* a : beads)
-                find_other_layers(mesh, closest, *a, threads);
+                find_other_layers(mesh, closest, limits, *a, threads);
             return;
         }
     }
@@ -185,7 +202,7 @@ void find_closest(const Model& model, std::size_t number, const std::vector<Bead
             first += a->x.size();
         }
         for (BeadAnalysis* a : beads)
-            if (layers && needed == 0) find_other_layers(near.mesh, closest, *a, threads);
+            if (layers && needed == 0) find_other_layers(near.mesh, closest, limits, *a, threads);
         out.near = std::move(near.mesh);
         if (needed == 0) return;
         least_margin = needed;
@@ -211,7 +228,8 @@ std::vector<std::pair<uint32_t, uint32_t>> hops_of(const BeadAnalysis& a) {
     return hops;
 }
 
-void judge(const Surface& surface, const NearMesh& near, double side_reach, BeadAnalysis& a) {
+void judge(const Surface& surface, const NearMesh& near, SideLimits limits, double side_reach,
+           BeadAnalysis& a) {
     if (a.hit.empty() || near.segment.empty()) return;
     constexpr double beside = 0.05; // of the segment, as for the manual law
     std::vector<BeadFoot> feet;
@@ -225,14 +243,14 @@ void judge(const Surface& surface, const NearMesh& near, double side_reach, Bead
     std::vector<uint8_t> solid_backed(near.segment.size());
     for (std::size_t i = 0; i < near.segment.size(); ++i)
         solid_backed[i] = surface.segments[near.segment_index[i]].solid_backed;
-    SideLimits limits = side_limits;
     limits.reach = side_reach;
     a.side = judge_side(near, feet, hops_of(a), solid_backed, limits);
 }
 
 } // namespace
 
-Analysis analyse(const Deck&, const Model& model, Needs needs, unsigned threads, RunFacts run) {
+Analysis analyse(const Deck&, const Model& model, const Limits& limits, Needs needs, unsigned threads,
+                 RunFacts run) {
     Analysis out;
     out.run = std::move(run);
     out.beads.reserve(model.drawbeads().size());
@@ -242,7 +260,7 @@ Analysis analyse(const Deck&, const Model& model, Needs needs, unsigned threads,
         out.beads.push_back(analyse_line(model, bead));
 
     if (has(needs, analysis_contact)) {
-        const double around = has(needs, analysis_sides) ? side_limits.reach : 0;
+        const double around = has(needs, analysis_sides) ? limits.SRF001_reach_elements : 0;
         out.contact = contact_of(model, {.layer_ratio = 0, .around_elements = around, .threads = threads});
         for (const InterfaceContact& one : out.contact.interfaces)
             out.starter.push_back(one.starter);
@@ -258,20 +276,24 @@ Analysis analyse(const Deck&, const Model& model, Needs needs, unsigned threads,
         std::vector<BeadAnalysis*> beads;
         for (BeadAnalysis& a : out.beads)
             if (a.surface == &surface && !a.x.empty()) beads.push_back(&a);
-        if (has(needs, analysis_sides)) side_reach[s] = side_reach_of(out, beads);
+        if (has(needs, analysis_sides))
+            side_reach[s] = side_reach_of(out, beads, limits.SRF001_reach_elements);
         if (has(needs, analysis_closest))
-            find_closest(model, s, beads, out.contact, out.surfaces[s], side_reach[s],
+            find_closest(model, s, beads, out.contact, limits, out.surfaces[s], side_reach[s],
                          has(needs, analysis_layers), threads);
         if (has(needs, analysis_clashes))
             out.surfaces[s].clashes = edge_clashes(surface.segments.span(), model.nodes().size(), threads);
     }
     if (!lines) return out;
+    const LineLimits list_limits = line_limits(limits);
+    const SideLimits side_limits = limits_of_sides(limits);
     parallel_for(threads, out.beads.size(), [&](std::size_t i) {
         BeadAnalysis& a = out.beads[i];
         if (a.x.empty()) return;
-        check_list(a);
+        check_list(a, list_limits);
         if (has(needs, analysis_sides) && a.surface)
-            judge(*a.surface, out.surfaces[*a.bead->surface].near, side_reach[*a.bead->surface], a);
+            judge(*a.surface, out.surfaces[*a.bead->surface].near, side_limits, side_reach[*a.bead->surface],
+                  a);
     });
     return out;
 }

@@ -19,6 +19,8 @@
 
 namespace drawbead {
 
+struct Limits;
+
 /// What rules need beside the model. A rule puts these into its `needs`; bits from 2^16 on belong to the
 /// analysis.
 inline constexpr Needs analysis_lines{1u << 16}, analysis_closest{1u << 17}, analysis_sides{1u << 18},
@@ -86,8 +88,8 @@ struct Analysis {
                                          ///< elements were asked for
 };
 
-/// Computes what `needs` names. The model must outlive the result, which does not depend on the count of
-/// threads.
-Analysis analyse(const Deck&, const Model&, Needs needs, unsigned threads, RunFacts = {});
+/// Computes what `needs` names, as the limits of the rules say. The model must outlive the result, which does
+/// not depend on the count of threads.
+Analysis analyse(const Deck&, const Model&, const Limits&, Needs needs, unsigned threads, RunFacts = {});
 
 } // namespace drawbead

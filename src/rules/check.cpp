@@ -30,12 +30,22 @@ int closest(const std::vector<std::string>& entries, const RuleInfo& info) {
     return best;
 }
 
+/// What the user wants instead of the rule's own severity.
+std::optional<Severity> wanted_severity(const std::map<std::string, Severity>& all, const RuleInfo& info) {
+    std::optional<Severity> wanted;
+    int best = 0;
+    for (const auto& [word, severity] : all)
+        if (const int close = closeness(word, info); close > best) best = close, wanted = severity;
+    return wanted;
+}
+
 /// A finding with what it is sorted by: the order in which files are read, then where it stands.
 struct Sorted {
     uint32_t file;
     uint64_t line;
     uint32_t column;
     Finding finding;
+    bool suppressed = false;
 
     auto key() const { return std::tie(file, line, column, finding.code, finding.message); }
 };
@@ -204,11 +214,10 @@ std::optional<std::string> Selection::unknown() const {
     return std::nullopt;
 }
 
-Result<std::unique_ptr<CheckedDeck>> read_and_check(const std::string& path, FileReader& reader,
-                                                    const ReadOptions& read_options,
-                                                    std::span<const Rule* const> rules, Needs more,
-                                                    unsigned threads, const std::optional<SceneMotion>& scene,
-                                                    CheckTimes* times) {
+Result<std::unique_ptr<CheckedDeck>>
+read_and_check(const std::string& path, FileReader& reader, const ReadOptions& read_options,
+               std::span<const Rule* const> rules, const Limits& limits, Needs more, unsigned threads,
+               const std::optional<SceneMotion>& scene, CheckTimes* times) {
     CheckTimes untold(times ? 0 : registry().size());
     CheckTimes& spent = times ? *times : untold;
     Laps laps;
@@ -232,22 +241,36 @@ Result<std::unique_ptr<CheckedDeck>> read_and_check(const std::string& path, Fil
     if (scene && !scene->prescribed.by_deck)
         if (auto all = targets_exist(*scene, checked->model); !all) return all.error();
     laps.add_to(spent.model);
-    checked->analysis = analyse(*checked->deck, checked->model, needs, threads, std::move(run));
+    checked->limits = limits;
+    checked->analysis = analyse(*checked->deck, checked->model, limits, needs, threads, std::move(run));
     laps.add_to(spent.analysis);
 
+    // Suppressions are judged by what all other rules have found.
+    const auto judges = [&](std::size_t i) { return rules[i]->info.family() == "SUP"; };
+    checked->suppressions = read_suppressions(*checked->deck, checked->model);
     std::vector<Collector> by_rule(rules.size());
     parallel_for(threads, rules.size(), [&](std::size_t i) {
+        if (judges(i)) return;
         Laps mine;
         rules[i]->check(checked->context(), by_rule[i]);
         mine.add_to(spent.by_rule[static_cast<std::size_t>(rules[i] - registry().data())]);
     });
+    std::vector<std::vector<bool>> suppressed(rules.size());
     for (std::size_t i = 0; i < rules.size(); ++i)
-        for (Draft& draft : by_rule[i].drafts)
-            checked->drafts.push_back({rules[i], std::move(draft)});
+        for (const Draft& draft : by_rule[i].drafts)
+            suppressed[i].push_back(is_suppressed(checked->suppressions, *rules[i], draft));
+    judge_suppressions(checked->suppressions, rules);
+    for (std::size_t i = 0; i < rules.size(); ++i) {
+        if (judges(i)) rules[i]->check(checked->context(), by_rule[i]);
+        for (std::size_t k = 0; k < by_rule[i].drafts.size(); ++k)
+            checked->drafts.push_back(
+                {rules[i], std::move(by_rule[i].drafts[k]), !judges(i) && suppressed[i][k]});
+    }
     return checked;
 }
 
-DeckResult result_of(const CheckedDeck& checked, bool with_changes) {
+DeckResult result_of(const CheckedDeck& checked, const std::map<std::string, Severity>& severity,
+                     bool with_changes) {
     const Deck& deck = *checked.deck;
     const Model& model = checked.model;
     const Analysis& analysis = checked.analysis;
@@ -255,8 +278,11 @@ DeckResult result_of(const CheckedDeck& checked, bool with_changes) {
     std::optional<ChangePlanner> planner;
     for (const RuleDraft& one : checked.drafts) {
         all.push_back(finding_of(deck, *one.rule, one.draft));
+        all.back().suppressed = one.suppressed;
+        if (const auto wanted = wanted_severity(severity, one.rule->info))
+            all.back().finding.severity = *wanted;
         std::vector<FixOffer>& offers = all.back().finding.fixes;
-        if (!with_changes || offers.empty()) continue;
+        if (!with_changes || offers.empty() || one.suppressed) continue;
         if (!planner) planner.emplace(checked);
         planner->add_changes(one, offers);
     }
@@ -275,8 +301,12 @@ DeckResult result_of(const CheckedDeck& checked, bool with_changes) {
     result.path = deck.path();
     result.info = describe(deck, model);
     if (!analysis.starter.empty()) result.starter = starter_messages(model, analysis.starter);
-    for (Sorted& one : all)
-        result.findings.push_back(std::move(one.finding));
+    for (Sorted& one : all) {
+        if (one.suppressed)
+            ++result.suppressed;
+        else
+            result.findings.push_back(std::move(one.finding));
+    }
     return result;
 }
 
@@ -289,9 +319,10 @@ DeckResult check_deck(const std::string& path, FileReader& reader, const ReadOpt
     if (options.with_changes)
         for (const Rule* rule : rules)
             more = more | rule->fix_needs;
-    const auto checked = read_and_check(path, reader, read_options, rules, more, options.threads,
-                                        options.scene, options.times);
-    return checked ? result_of(**checked, options.with_changes) : unreadable_deck(path, checked.error());
+    const auto checked = read_and_check(path, reader, read_options, rules, options.limits, more,
+                                        options.threads, options.scene, options.times);
+    return checked ? result_of(**checked, options.severity, options.with_changes)
+                   : unreadable_deck(path, checked.error());
 }
 
 DeckResult describe_deck(const std::string& path, FileReader& reader, const ReadOptions& options) {

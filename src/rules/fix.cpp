@@ -216,14 +216,14 @@ public:
 
     FixOutcome run() {
         FixOutcome outcome;
-        auto read = read_and_check(path_, disk_, reading_, rules_, needs_, options_.threads);
+        auto read = read_and_check(path_, disk_, reading_, rules_, options_.limits, needs_, options_.threads);
         if (!read) {
             outcome.before = unreadable_deck(path_, read.error());
             return outcome;
         }
         State state{std::move(*read), {}, {}};
         outcome.original = state.checked;
-        outcome.before = result_of(*state.checked, options_.with_changes);
+        outcome.before = said_of(*state.checked, options_.with_changes);
         Interfaces interfaces;
         interfaces.take(*state.checked, outcome.before, false);
         bool alone = false;
@@ -255,7 +255,7 @@ public:
             if (!read_again(state, outcome)) break;
         }
         outcome.result = state.checked;
-        outcome.after = result_of(*state.checked);
+        outcome.after = said_of(*state.checked, false);
         take_files(state, outcome);
         interfaces.take(*state.checked, outcome.after, true);
         outcome.force_unit = unit_name(state.checked->deck->work_units(), force_dimension);
@@ -265,6 +265,15 @@ public:
     }
 
 private:
+    DeckResult said_of(const CheckedDeck& checked, bool with_changes) const {
+        DeckResult result = result_of(checked, options_.severity, with_changes);
+        std::erase_if(result.findings, [&](const Finding& finding) {
+            const RuleInfo& info = find_rule(finding.code)->info;
+            return !options_.counted(info) && !options_.selection(info);
+        });
+        return result;
+    }
+
     /// The fixes of the next round; `alone`: only one. What cannot be fixed goes to `declined`, which then
     /// describes this round.
     std::vector<Planned> plan_round(const CheckedDeck& checked, bool alone,
@@ -273,7 +282,8 @@ private:
         declined.clear();
         std::vector<const RuleDraft*> drafts;
         for (const RuleDraft& one : checked.drafts)
-            if (one.rule->fix && options_.selection(one.rule->info)) drafts.push_back(&one);
+            if (one.rule->fix && !one.suppressed && options_.selection(one.rule->info))
+                drafts.push_back(&one);
         if (drafts.empty()) return plan;
         std::stable_sort(drafts.begin(), drafts.end(), [](const RuleDraft* a, const RuleDraft* b) {
             return stage_of(a->rule->info) < stage_of(b->rule->info);
@@ -365,7 +375,8 @@ private:
             --left[one.subject];
         before.forget();
         EditedReader reader(disk_, *before.deck, edits, options_.threads);
-        auto read = read_and_check(path_, reader, reading_, rules_, needs_, options_.threads);
+        auto read =
+            read_and_check(path_, reader, reading_, rules_, options_.limits, needs_, options_.threads);
         if (!read) return "the result could not be read: " + read.error().message;
         const CheckedDeck& after = **read;
         if (after.deck->files().size() != before.deck->files().size())
@@ -389,7 +400,8 @@ private:
     /// The deck before a round that came to nothing.
     bool read_again(State& state, FixOutcome& outcome) {
         EditedReader reader(disk_, *outcome.original->deck, state.edits, options_.threads);
-        auto read = read_and_check(path_, reader, reading_, rules_, needs_, options_.threads);
+        auto read =
+            read_and_check(path_, reader, reading_, rules_, options_.limits, needs_, options_.threads);
         if (!read) return false;
         state.texts = reader.texts();
         state.checked = std::move(*read);

@@ -81,6 +81,9 @@ namespace drawbead {
     RULE(STB004)                                                                                             \
     RULE(STB005)                                                                                             \
     RULE(STB006)                                                                                             \
+    RULE(SUP001)                                                                                             \
+    RULE(SUP002)                                                                                             \
+    RULE(SUP003)                                                                                             \
     RULE(SYN001)                                                                                             \
     RULE(SYN002)                                                                                             \
     RULE(SYN003)                                                                                             \

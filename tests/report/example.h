@@ -75,6 +75,9 @@ inline Report example_report() {
     starter.interfaces = {{11, {346, 1040}, {501, 502}}, {12, {}, {}}};
     hood.starter = starter;
     hood.findings = {flipped, odd, whole};
+    hood.suppressed = 2;
+    hood.known = 3;
+    hood.gone = {{"00000000000000aa", "LIN005", 11, 1}, {"00000000000000bb", "SRF002", std::nullopt, 4}};
 
     DeckResult missing;
     missing.path = "decks/lost_0000.rad";

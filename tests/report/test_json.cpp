@@ -48,7 +48,10 @@ TEST_CASE("a report without decks") {
                              "    \"interfaces\": 0,\n"
                              "    \"errors\": 0,\n"
                              "    \"warnings\": 0,\n"
-                             "    \"infos\": 0\n"
+                             "    \"infos\": 0,\n"
+                             "    \"suppressed\": 0,\n"
+                             "    \"known\": 0,\n"
+                             "    \"gone\": 0\n"
                              "  }\n"
                              "}\n");
 }
