@@ -1,5 +1,6 @@
 // Hard cases of the solver's search: start, tracking from cycle to cycle, projection.
 #include "contact/bead_contact.h"
+#include "contact/rigid_tracks.h"
 #include "contact/solver_search.h"
 #include "study/hard_case_table.h"
 
@@ -137,17 +138,45 @@ HardCaseResult squared_reach() {
     return {in_metres > 0.01 && in_millimetres == 0 ? 1.0 : 0.0, 1, 0};
 }
 
+/// A surface at rest.
+class Still final : public SurfaceNow {
+public:
+    explicit Still(const NearMesh& mesh) : mesh_(mesh) {}
+    const Vec3& at(uint32_t node) override { return mesh_.x[node]; }
+
+private:
+    const NearMesh& mesh_;
+};
+
+/// One step over a surface at rest by the search that keeps its shape; infinite when the track is not
+/// solver_follow's, else the margin that it promises.
+double margin_of(const NearMesh& mesh, Track track, Vec3 bead) {
+    Still still(mesh);
+    Track expected = track;
+    solver_follow(expected, mesh, mesh.x, bead);
+    const double margin = RigidTracks(mesh, 1e-12).follow(track, bead, bead, still).margin;
+    return track.nearest == expected.nearest && track.segment == expected.segment ? margin : HUGE_VAL;
+}
+
 HardCaseResult stays_of_coincident_nodes() {
     // Two nodes of a ring in one place: where the track may change is not known.
     const Sheet sheet({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 0}, {-1, 0, 0}, {-1, 1, 0}},
                       {{0, 1, 2, 3}, {0, 3, 6, 4}});
-    const NearMesh mesh = sheet.whole();
-    const Track track{0, 0};
-    return within(TrackRegion(track, mesh, mesh.x, {0.25, 0.25, 1}).margin({}), 0);
+    return within(margin_of(sheet.whole(), {0, 0}, {0.25, 0.25, 1}), 0);
+}
+
+HardCaseResult kept_shape_tie_of_nodes() {
+    return within(margin_of(squares(2).whole(), {4, 3}, {0.5, 1, 1}), 0);
+}
+
+HardCaseResult kept_shape_tie_of_segments() {
+    const Sheet sheet({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {-1, 0, 0}, {-1, -1, 0}, {0, -1, 0}},
+                      {{0, 4, 5, 6}, {0, 3, 2, 1}, {0, 1, 2, 3}});
+    return within(margin_of(sheet.whole(), {0, 1}, {0.4375, -0.25, 1}), 0);
 }
 
 HardCaseResult crowded_node() {
-    // 24 triangles about one node: more neighbours than a region has planes.
+    // 24 triangles about one node.
     std::vector<Vec3> x{{0, 0, 0}};
     std::vector<SegmentNodes> segment;
     for (uint32_t i = 0; i < 24; ++i) {
@@ -157,7 +186,13 @@ HardCaseResult crowded_node() {
         segment.push_back({0, i + 1, next, next});
     }
     const NearMesh mesh = Sheet(std::move(x), std::move(segment)).whole();
-    return within(TrackRegion(Track{0, 0}, mesh, mesh.x, {0.25, 0.01, 1}).margin({}), 0);
+    Largest error;
+    for (uint32_t i = 0; i < 48; ++i) {
+        const double angle = 0.13 * i;
+        const double margin = margin_of(mesh, {0, i % 24}, {0.3 * std::cos(angle), 0.3 * std::sin(angle), 1});
+        error.add(margin >= 0 && margin < 1 ? 0 : HUGE_VAL);
+    }
+    return within(error.value(), 0);
 }
 
 HardCaseResult no_sample_size() {
@@ -268,10 +303,17 @@ std::vector<HardCaseRow> solver_search_cases() {
          "Each start node is the nearest one in both; measured: 1 when that fails in metres alone.", "",
          squared_reach},
         {"region-coincident-nodes", law, must_hold, "Two main nodes in one place under a bead node.",
-         "Nothing is promised about its track.", "contact/solver_search.cpp: margin of a NaN",
+         "Nothing is promised about how long its track stays.", "contact/rigid_tracks.cpp: margin > 0",
          stays_of_coincident_nodes},
+        {"region-tie-of-nodes", law, must_hold,
+         "Equally far from two main nodes of a blank that keeps its shape.",
+         "The track of the full search, nothing promised.", "contact/rigid_tracks.cpp: tie of nodes",
+         kept_shape_tie_of_nodes},
+        {"region-tie-of-segments", law, must_hold, "Equal corner tests on a blank that keeps its shape.",
+         "The track of the full search, nothing promised.", "contact/rigid_tracks.cpp: tie of segments",
+         kept_shape_tie_of_segments},
         {"region-crowded-node", law, must_hold, "A main node with 24 segments.",
-         "Nothing is promised about the track.", "contact/solver_search.cpp: no planes", crowded_node},
+         "The track of the full search, and no more promised than the segments' size.", "", crowded_node},
         {"reach-without-size", law, must_hold, "A surface whose segments have no size.", "It is taken whole.",
          "contact/segment_mesh.cpp: reach > 0", no_sample_size},
         {"tributary-without-length", law, must_hold, "The bead stands perpendicular to the blank.",

@@ -46,7 +46,7 @@ class HardCases(CommandLineTest):
         self.assert_usage_error("--format knows no 'yaml'; please give one of text, json", "accuracy", "--hard-cases",
                                 "--format", "yaml")
         self.assert_usage_error("unknown option '--hard-case'; did you mean '--hard-cases'?", "accuracy", "--hard-case")
-        self.assert_usage_error("accuracy needs something to do; please give --hard-cases", "accuracy")
+        self.assert_usage_error("accuracy needs a scene or --hard-cases; see 'drawbead accuracy --help'", "accuracy")
 
 
 if __name__ == "__main__":

@@ -113,9 +113,12 @@ guard("project-point-triangle.solver.double", SEARCH, "hit.eta = «s.a[0] == 0»
 guard("tie-between-nodes.solver.double", SEARCH, "|| «(squared == closest && node < nearest)»)", "false")
 guard("tie-between-segments.solver.double", SEARCH,
       "|| «(b == best && mesh.segment[s] < mesh.segment[track.segment])»)", "false")
-guard("collapsed-segment.solver.double", SEARCH, "return «std::isnan(b1 + b2)» ?", "false")
-guard("region-coincident-nodes.solver.double", SEARCH, "if («!(left > 0)») return 0;", "left <= 0")
-guard("region-crowded-node.solver.double", SEARCH, "«if (count_ == 0) return 0;»", "")
+guard("collapsed-segment.solver.double", "contact/segment_corner.h", "return «std::isnan(b1 + b2)» ?", "false")
+TRACKS = "contact/rigid_tracks.cpp"
+guard("region-coincident-nodes.solver.double", TRACKS, "out.margin = «margin > 0» ?", "true")
+guard("region-tie-of-nodes.solver.double", TRACKS, "|| «(squared == closest && one < nearest)»)", "false")
+guard("region-tie-of-segments.solver.double", TRACKS,
+      "«(one.least == best.least && mesh_.segment[s] < mesh_.segment[segment])»)", "false")
 guard("tributary-without-length.solver.double", SEARCH, "const double l2 = «std::max(dot(t, t), 1e-20)»;", "dot(t, t)")
 guard("depth-absent.solver.double", SEARCH, "«if (!(depth > 0)) return 1;»", "")
 guard("reach-without-size.solver.double", "contact/segment_mesh.cpp", "return «reach > 0» ? reach", "true")
