@@ -31,6 +31,12 @@ public:
             json_.null();
         json_.member("interfaces", deck.info.interfaces.size());
         json_.member("findings", deck.findings.size());
+        json_.member("suppressed", deck.suppressed);
+        json_.member("known", deck.known);
+        uint64_t gone = 0;
+        for (const BaselineEntry& entry : deck.gone)
+            gone += entry.count;
+        json_.member("gone", gone);
         json_.end();
     }
 

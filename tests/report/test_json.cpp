@@ -64,7 +64,7 @@ TEST_CASE("a part of a run, and one that was interrupted, say so") {
     summary.asked = 12;
     writer->end(summary);
     CHECK(out.text().find("\"schema\": 1,\n  \"shard\": {\"number\": 2, \"of\": 7},\n") != std::string::npos);
-    CHECK(out.text().find("\"infos\": 0,\n    \"interrupted\": true,\n    \"asked\": 12\n") !=
+    CHECK(out.text().find("\"gone\": 0,\n    \"interrupted\": true,\n    \"asked\": 12\n") !=
           std::string::npos);
 }
 
