@@ -125,6 +125,8 @@ int run(const AccuracyCommand& command) {
         say_error(error);
         return exit_failed;
     };
+    if (command.hard_cases)
+        return run_hard_cases(command.format == AccuracyCommand::Format::json, command.file);
     if (!is_scene_file(command.path))
         return fail({"accuracy needs a scene, a file NAME.yaml", command.path, 0, 0,
                      "docs/evaluate.md and 'drawbead schema scene' say what stands in it"});

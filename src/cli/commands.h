@@ -11,6 +11,7 @@
 namespace drawbead {
 
 int run(const CheckCommand&);
+int run(const MergeCommand&);
 int run(const FixCommand&);
 int run(const TableCommand&);
 int run(const InfoCommand&);
@@ -31,6 +32,9 @@ std::string_view tool_version();
 int finish(FileSink&);
 /// Writes a text to standard output.
 int print(std::string_view text);
+
+/// `accuracy --hard-cases`: to a file, or to standard output when its name is empty; status 1 when one fails.
+int run_hard_cases(bool json, const std::string& file);
 
 /// What --select takes: codes, families, "ALL", and with `names` the names of rules.
 std::vector<std::string> rule_words(bool names);

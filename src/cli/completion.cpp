@@ -1,5 +1,5 @@
+#include "base/nearest.h"
 #include "cli/commands.h"
-#include "cli/nearest.h"
 
 #include <algorithm>
 

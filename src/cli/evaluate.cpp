@@ -1,22 +1,22 @@
 #include "cli/evaluation_input.h"
 
+#include "base/nearest.h"
 #include "cli/commands.h"
-#include "cli/nearest.h"
 #include "cli/reading.h"
+#include "cli/scene_file.h"
+#include "cli/scene_times.h"
 
 #include "base/parallel.h"
-#include "deck/number.h"
+#include "deck/engine_deck.h"
 #include "force/evaluator.h"
-#include "force/trace.h"
-#include "force/trace_times.h"
 #include "report/evaluation.h"
 #include "rules/text.h"
+#include "scene/holding_force.h"
 #include "study/stepped_run.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <map>
 #include <unistd.h>
@@ -39,34 +39,17 @@ bool is_scene_file(const std::string& path) {
 
 namespace {
 
-/// The end of the run, from the engine deck beside NAME_0000.rad: the card of its /RUN.
-std::optional<double> end_of_run(const std::string& deck) {
-    const std::size_t at = deck.rfind("_0000.rad");
-    if (at == std::string::npos) return {};
-    std::ifstream file(deck.substr(0, at) + "_0001.rad");
-    bool run = false;
-    for (std::string line; std::getline(file, line);) {
-        if (line.empty() || line[0] == '#' || line[0] == '$') continue;
-        if (line[0] == '/') {
-            run = line.rfind("/RUN/", 0) == 0;
-            continue;
-        }
-        if (const double end = run ? parse_real(line).value : 0; end > 0) return end;
-        run = false;
-    }
-    return {};
-}
-
 /// The scene of a command line that names a deck.
-Result<Scene> scene_of_deck(const EvaluateCommand& command) {
+Scene scene_of_deck(const EvaluateCommand& command) {
     Scene scene;
     scene.deck = command.path;
     scene.time.trace = command.trace;
     if (!command.trace.empty()) return scene;
-    scene.time.end = command.end ? command.end : end_of_run(command.path);
-    if (!scene.time.end)
-        return Error{"the end of the run is not known", command.path, 0, 0,
-                     "please give --end, --trace or a scene"};
+    scene.time.end = command.end;
+    if (!scene.time.end) {
+        DiskReader disk;
+        if (const auto engine = read_engine_deck(command.path, disk)) scene.time.end = engine->end;
+    }
     scene.time.step = command.step;
     scene.time.steps = command.steps;
     if (!scene.time.step && !scene.time.steps) scene.time.steps = 1000;
@@ -78,7 +61,8 @@ Result<Scene> scene_of_deck(const EvaluateCommand& command) {
 Result<Loaded> load_scene(const EvaluateCommand& command) {
     Loaded out;
     out.threads = thread_count(command.reading);
-    Result<Scene> scene = is_scene_file(command.path) ? read_scene(command.path) : scene_of_deck(command);
+    Result<Scene> scene =
+        is_scene_file(command.path) ? read_scene(command.path) : Result<Scene>(scene_of_deck(command));
     if (!scene) return scene.error();
     out.scene = std::move(*scene);
     Scene& s = out.scene;
@@ -99,13 +83,13 @@ Result<Loaded> load_scene(const EvaluateCommand& command) {
         return error;
     }
     out.deck = std::make_unique<Deck>(std::move(*deck));
+    if (s.time.trace.empty() && !s.time.end)
+        return Error{"the end of the run is not known", s.deck, 0, 0,
+                     "please give --end, --trace or a scene"};
     if (s.deck_motion) {
         out.model = Model::build(*out.deck, needs_evaluation, out.threads);
     } else {
-        std::vector<MotionTarget> targets;
-        for (const SceneMove& move : s.moves)
-            targets.push_back(move.target);
-        out.model = Model::build(*out.deck, needs_evaluation, out.threads, targets);
+        out.model = Model::build(*out.deck, needs_evaluation, out.threads, targets_of(s));
         for (std::size_t i = 0; i < s.moves.size() && !out.model.motion().classes.empty(); ++i) {
             const auto& held = out.model.motion().target_nodes[i];
             const ScenePlace& at = s.moves[i].place;
@@ -117,20 +101,11 @@ Result<Loaded> load_scene(const EvaluateCommand& command) {
         }
     }
 
-    if (!s.time.trace.empty()) {
-        const Result<Trace> trace = read_trace(s.time.trace);
-        if (!trace) return trace.error();
-        TraceTimes times = times_of(*trace);
-        out.time = std::move(times.time);
-        out.dt = std::move(times.dt);
-        if (!times.note.empty()) out.notes.push_back(times.note);
-    } else {
-        out.time = equal_steps(*s.time.end, s.time.step, s.time.steps);
-        out.dt.push_back(0);
-        for (std::size_t n = 1; n < out.time.size(); ++n)
-            out.dt.push_back(out.time[n] - out.time[n - 1]);
-    }
-    if (auto covered = check_tables(s, out.time.back()); !covered) return covered.error();
+    Result<SceneTimes> times = times_of(s);
+    if (!times) return times.error();
+    out.time = std::move(times->time);
+    out.dt = std::move(times->dt);
+    if (!times->note.empty()) out.notes.push_back(times->note);
     return out;
 }
 
@@ -138,10 +113,7 @@ Result<Prepared> prepare_scene(const Loaded& loaded, double travel) {
     Prepared out;
     EvaluationRequest request;
     request.interfaces = loaded.scene.interfaces;
-    request.deck_motion = loaded.scene.deck_motion;
-    request.motions = loaded.scene.motions;
-    for (const SceneMove& move : loaded.scene.moves)
-        request.motion_of_target.push_back(move.motion);
+    request.prescribed = prescribed_by(loaded.scene);
     request.time = loaded.time;
     request.dt = loaded.dt;
     request.threads = loaded.threads;
@@ -360,6 +332,24 @@ Result<void> advance(const Loaded& loaded, const Prepared& prepared, Runs& runs,
     return {};
 }
 
+/// Magnitudes far from what forming knows can leave the range of numbers; what is not a number is no result.
+Result<void> all_finite(const Loaded& loaded, const Prepared& prepared, const Runs& runs) {
+    const EvaluationScene& scene = prepared.evaluation.scene;
+    for (std::size_t l = 0; l < prepared.laws.size(); ++l)
+        for (std::size_t b = 0; b < scene.beads.size(); ++b) {
+            const auto step = first_not_finite(runs.of_law[l][b]->history());
+            if (!step) continue;
+            const std::string when =
+                *step < scene.time.size() ? " at t = " + number(scene.time[*step], 6) : " in the energies";
+            return Error{"interface " + std::to_string(scene.beads[b].id) + ", law " +
+                             std::string(name(prepared.laws[l])) + ": numbers leave the range of a double" +
+                             when,
+                         loaded.scene.path.empty() ? loaded.scene.deck : loaded.scene.path, 0, 0,
+                         "look for a limit, stiffness, mass or motion that is far too large"};
+        }
+    return {};
+}
+
 /// The largest value and the earliest time that comes within rounding of it.
 template <class Value>
 Peak peak_of(const EvaluationScene& scene, const Value& value) {
@@ -507,6 +497,8 @@ EvaluationReport report_of(const Loaded& loaded, const Prepared& prepared, Effec
         for (const auto& [id, beads] : tools) {
             EvaluatedTool tool;
             tool.id = id;
+            const auto held = id ? holding_force(loaded.model, *id) : std::nullopt;
+            if (held && !held->unknown.empty()) out.notes.push_back(held->unknown);
             for (const std::size_t b : beads)
                 tool.interfaces.push_back(scene.beads[b].id);
             for (std::size_t l = 0; l < prepared.laws.size(); ++l) {
@@ -523,8 +515,11 @@ EvaluationReport report_of(const Loaded& loaded, const Prepared& prepared, Effec
                 one.restraint =
                     peak_of(own, [&](std::size_t n) { return norm(sum(n, &StepTotals::restraint)); });
                 const auto at = std::find(own.time.begin(), own.time.end(), one.normal.time);
-                one.normal_vector =
-                    components(sum(static_cast<std::size_t>(at - own.time.begin()), &StepTotals::normal));
+                const Vec3 normal = sum(static_cast<std::size_t>(at - own.time.begin()), &StepTotals::normal);
+                one.normal_vector = components(normal);
+                // The tool is pushed the other way, and a force that holds it goes with that on the blank.
+                if (held && held->unknown.empty() && one.normal.value > 0)
+                    one.holding = dot(held->at(one.normal.time), normal) / one.normal.value;
                 tool.sums.push_back(std::move(one));
             }
             out.tools.push_back(std::move(tool));
@@ -532,7 +527,7 @@ EvaluationReport report_of(const Loaded& loaded, const Prepared& prepared, Effec
     }
     for (const LeftOut& left : prepared.evaluation.left_out)
         out.left_out.emplace_back(left.id, left.why);
-    out.notes = loaded.notes;
+    out.notes.insert(out.notes.begin(), loaded.notes.begin(), loaded.notes.end());
     if (runs && prepared.stepped) out.notes.push_back(cost_of(loaded, prepared, *runs));
     out.notes.insert(out.notes.end(), prepared.evaluation.notes.begin(), prepared.evaluation.notes.end());
     return out;
@@ -634,6 +629,7 @@ int run(const EvaluateCommand& command) {
         if (auto done = advance(*loaded, *prepared, runs, samples ? &files : nullptr, !command.quiet); !done)
             return fail(done.error());
         if (!runs.at_rim()) {
+            if (auto numbers = all_finite(*loaded, *prepared, runs); !numbers) return fail(numbers.error());
             if (auto written = files.finish(); !written) return fail(written.error());
             break;
         }

@@ -1,5 +1,6 @@
+#include "base/nearest.h"
 #include "cli/commands.h"
-#include "cli/nearest.h"
+#include "config/options.h"
 #include "rules/rule.h"
 
 namespace drawbead {
@@ -9,7 +10,9 @@ int run(const ExplainCommand& command) {
     if (!rule) rule = find_rule(upper_case(command.rule));
     if (rule) return print(rule->info.page);
 
-    std::vector<std::string> words;
+    if (command.rule == "configuration") return print(config_page());
+
+    std::vector<std::string> words{"configuration"};
     for (const Rule& known : registry()) {
         words.emplace_back(known.info.code);
         words.emplace_back(known.info.name);

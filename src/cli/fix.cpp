@@ -1,12 +1,15 @@
 #include "rules/fix.h"
 
 #include "cli/commands.h"
+#include "cli/deck_settings.h"
+#include "cli/outputs.h"
 #include "cli/paths.h"
 #include "cli/reading.h"
 #include "cli/selection.h"
 #include "fix/write_files.h"
 #include "report/fix_report.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <new>
 #include <unistd.h>
@@ -101,16 +104,48 @@ FixReport failed_report(const std::string& path, const std::string& failure, con
     return report;
 }
 
-/// Repairs one deck and puts the result where the command says.
-FixReport fix_one(const DeckPath& deck, const FixCommand& command, const FixOptions& options,
-                  OutputSink& out) {
+/// The findings before the repair, each with a note on what would become of it.
+DeckResult with_verdicts(const FixOutcome& outcome) {
+    DeckResult result = outcome.before;
+    for (Finding& finding : result.findings) {
+        const auto is_its = [&](const auto& one) {
+            return one.code == finding.code && one.interface_id == finding.interface_id;
+        };
+        const auto same_message = [&](const AppliedFix& one) {
+            return is_its(one) && one.message == finding.message;
+        };
+        const auto& applied = outcome.applied;
+        auto made = std::find_if(applied.begin(), applied.end(), same_message);
+        const auto declined = std::find_if(outcome.declined.begin(), outcome.declined.end(), is_its);
+        // In later rounds a finding may count differently.
+        if (made == applied.end() && declined == outcome.declined.end())
+            made = std::find_if(applied.begin(), applied.end(), is_its);
+        if (made != applied.end())
+            finding.notes.push_back("'drawbead fix' would repair it: " + made->title);
+        else if (declined != outcome.declined.end())
+            finding.notes.push_back("'drawbead fix' would leave it: " + declined->why);
+    }
+    return result;
+}
+
+/// Repairs one deck and puts the result where the command says. `findings`: takes them when they are asked
+/// for.
+FixReport fix_one(const DeckPath& deck, const FixCommand& command, const Settings& settings,
+                  const Selection& counted, FixOptions options, OutputSink& out,
+                  std::optional<DeckResult>& findings) {
     if (deck.failed()) return failed_report(deck.path, deck.failure, deck.help);
     if (deck.path == "-" && command.in_place)
         return failed_report(deck.path, "standard input cannot be repaired in place", "use -o");
     const Result<DeckSource> source = deck_source(deck.path, command.reading);
     if (!source) return failed_report(deck.path, source.error().message, source.error().help);
-    const ReadOptions reading = read_options(command.reading, options.threads);
+    ReadOptions reading = read_options(command.reading, options.threads);
+    reading.include_path = settings.include_path.value;
+    options.selection = settings.selection();
+    options.counted = counted;
+    options.limits = settings.rule_limits();
+    options.severity = settings.severities();
     const FixOutcome outcome = run_fixes(source->name, *source->reader, reading, options);
+    if (options.with_changes) findings = with_verdicts(outcome);
     if (outcome.before.failed()) {
         say_failure(outcome.before);
         return report_of(outcome, command.json);
@@ -145,23 +180,43 @@ FixReport fix_one(const DeckPath& deck, const FixCommand& command, const FixOpti
 } // namespace
 
 int run(const FixCommand& command) {
-    const Result<Selection> selection = selection_of(command.select, command.ignore);
-    if (!selection) {
-        say_error(selection.error());
+    const std::vector<DeckPath> decks = find_decks(command.paths);
+    const Result<DeckSettings> settings =
+        DeckSettings::of(decks, command.config, command.reading,
+                         {command.select, command.ignore, command.fail_on_given, command.fail_on});
+    if (!settings) {
+        say_error(settings.error());
         return exit_failed;
     }
-    const std::vector<DeckPath> decks = find_decks(command.paths);
     if (decks.size() != 1 && !command.output.file.empty()) {
         say_error({"-o takes the repair of one deck, and there are " + std::to_string(decks.size()), "", 0, 0,
                    "use --in-place or --diff"});
         return exit_failed;
     }
     FixOptions options;
-    options.selection = *selection;
     options.choices.unsafe = command.unsafe;
     options.choices.normals =
         command.normals == FixCommand::Normals::elements ? NormalsMode::elements : NormalsMode::surfaces;
     options.threads = thread_count(command.reading);
+    options.with_changes = !command.findings.empty();
+
+    const std::vector<RuleInfo> rules = rule_catalogue();
+    WriterOptions writing;
+    writing.tool_version = tool_version();
+    writing.rules = rules;
+    writing.fail_on = least_failing(command.fail_on);
+    std::vector<std::string> inputs;
+    for (const DeckPath& deck : decks)
+        inputs.push_back(deck.path);
+    Result<std::unique_ptr<Outputs>> outputs =
+        Outputs::open(command.findings, command.output.colour, writing, inputs);
+    if (!outputs) {
+        say_error(outputs.error());
+        return exit_failed;
+    }
+    const bool findings_on_stdout =
+        std::any_of(command.findings.begin(), command.findings.end(),
+                    [](const OutputTarget& target) { return target.file.empty(); });
 
     // The report gives way where standard output carries a diff or a deck.
     FileSink out(STDOUT_FILENO, "standard output");
@@ -170,29 +225,43 @@ int run(const FixCommand& command) {
     OutputSink& report_sink = aside ? static_cast<OutputSink&>(errors) : out;
     const bool colour = wants_colour(command.output.colour, aside ? STDERR_FILENO : STDOUT_FILENO);
 
-    Summary left;
-    bool failed = false;
+    Summary found;
+    bool failed = false, failing = false;
     std::vector<FixReport> reports;
-    for (const DeckPath& deck : decks) {
+    for (std::size_t i = 0; i < decks.size(); ++i) {
+        const DeckPath& deck = decks[i];
+        const Settings holds = settings->of(i);
         FixReport report;
+        std::optional<DeckResult> findings;
         try {
-            report = fix_one(deck, command, options, out);
+            report = fix_one(deck, command, holds, settings->of_files(i).selection(), options, out, findings);
         } catch (const std::bad_alloc&) {
             report = failed_report(deck.path, "out of memory", "");
         }
         if (report.failed() && report.applied.empty() && (deck.failed() || deck.path == "-"))
             say_error({report.failure, report.path, 0, 0, report.failure_help});
         failed = failed || report.failed();
-        add(left, report.remaining);
-        if (!command.json && !command.output.quiet && !report.failed())
+        failing = failing || fails(report.remaining, fail_on_from(holds.fail_on.value));
+        if (options.with_changes) {
+            if (!findings) findings = failed_deck(report.path, report.failure, report.failure_help);
+            std::vector<DeckResult> one;
+            one.push_back(std::move(*findings));
+            add(found, summarise(one));
+            (*outputs)->deck(one.front());
+        }
+        if (!command.json && !findings_on_stdout && !command.output.quiet && !report.failed())
             write_fix_text(report_sink, report, colour);
         if (command.json) reports.push_back(std::move(report));
     }
     if (command.json) write_fix_json(report_sink, reports, tool_version());
     errors.flush();
-    if (const int status = finish(out); status != exit_clean) return status;
-    if (failed) return exit_failed;
-    return fails(left, command.fail_on) ? exit_findings : exit_clean;
+    const int status = failed ? exit_failed : failing ? exit_findings : exit_clean;
+    found.asked = decks.size();
+    found.exit_status = status;
+    (*outputs)->end(found);
+    if (const int unwritten = (*outputs)->finish(); unwritten != exit_clean) return unwritten;
+    if (const int unwritten = finish(out); unwritten != exit_clean) return unwritten;
+    return status;
 }
 
 } // namespace drawbead

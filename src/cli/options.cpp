@@ -1,8 +1,9 @@
 // The only file that includes CLI11: it takes the compiler many seconds.
 #include "cli/options.h"
 
+#include "base/nearest.h"
 #include "cli/commands.h"
-#include "cli/nearest.h"
+#include "report/text.h"
 
 #include <CLI/CLI.hpp>
 
@@ -25,6 +26,61 @@ std::string joined(const Words& words) {
     return text;
 }
 
+/// As Format.
+const Words report_formats{"full", "concise", "json", "jsonl", "csv", "sarif", "junit", "github", "gitlab"};
+
+std::optional<Format> format_from(const std::string& word) {
+    const auto at = std::find(report_formats.begin(), report_formats.end(), word);
+    if (at == report_formats.end()) return std::nullopt;
+    return static_cast<Format>(at - report_formats.begin());
+}
+
+/// "sarif=a.sarif" as a format and a file; empty when there is no format in front.
+std::optional<OutputTarget> named_target(const std::string& word) {
+    const std::size_t sign = word.find('=');
+    const std::optional<Format> format =
+        sign == std::string::npos ? std::nullopt : format_from(word.substr(0, sign));
+    if (!format) return std::nullopt;
+    const std::string file = word.substr(sign + 1);
+    return OutputTarget{*format, file == "-" ? "" : file};
+}
+
+/// Where results go: each FORMAT=FILE, and one place for `format` when it was asked for or there is nothing
+/// else.
+Result<std::vector<OutputTarget>> targets(const Words& outputs, Format format, bool asked_for) {
+    std::vector<OutputTarget> all;
+    bool placed = false;
+    for (const std::string& word : outputs) {
+        std::optional<OutputTarget> target = named_target(word);
+        if (target && target->file.empty() && word.back() == '=')
+            return Error{"--output " + word + " names no file", "", 0, 0, "- stands for standard output"};
+        if (!target && format_from(word))
+            return Error{"--output " + word + " names a format and no file", "", 0, 0,
+                         "write " + word + "=FILE, or ./" + word + " for a file of this name"};
+        if (const std::size_t sign = word.find('='); !target && sign != std::string::npos)
+            if (const std::string help = did_you_mean(word.substr(0, sign), report_formats); !help.empty())
+                return Error{"--output knows no format '" + word.substr(0, sign) + "'", "", 0, 0,
+                             help + " (./" + word + " for a file of this name)"};
+        if (!target) {
+            if (placed)
+                return Error{"--output '" + word + "' is a second file for one format", "", 0, 0,
+                             "write FORMAT=FILE, with one of " + joined(report_formats)};
+            placed = true;
+            target = OutputTarget{format, word == "-" ? "" : word};
+        }
+        all.push_back(std::move(*target));
+    }
+    if (!placed && (all.empty() || asked_for)) all.push_back({format, ""});
+    for (auto one = all.begin(); one != all.end(); ++one)
+        if (std::any_of(all.begin(), one, [&](const OutputTarget& other) {
+                return plain_path(other.file) == plain_path(one->file);
+            }))
+            return Error{one->file.empty() ? "two formats want standard output"
+                                           : "two formats want the file '" + one->file + "'",
+                         "", 0, 0, "give each a file of its own: --output FORMAT=FILE"};
+    return all;
+}
+
 /// The command line, and where its values go. Options whose value is one of a few words, or a list or number
 /// of our own making, are taken as text and read in `finish`, so that their messages are ours.
 class Parser {
@@ -42,17 +98,21 @@ private:
 
     Choice& choice(CLI::App* command, const std::string& name, const Words& words, const std::string& help);
     void reading_options(CLI::App* command, ReadArguments& reading);
+    void config_options(CLI::App* command, ConfigArguments& config);
     void scene_options(CLI::App* command, EvaluateCommand& values);
     void accuracy_options();
+    static void output_option(CLI::App* command, Words& outputs);
     std::optional<UsageError> finish();
     std::optional<UsageError> finish_accuracy();
+    std::optional<UsageError> finish_reports();
     UsageError explain(const CLI::ParseError& error, const CLI::App& command) const;
     Words option_names(const CLI::App& command) const;
 
     CLI::App app_{"Checks drawbeads (/INTER/TYPE8) of Radioss and OpenRadioss starter decks.", "drawbead"};
-    CLI::App *check_, *fix_, *table_, *info_, *audit_, *evaluate_, *plan_, *accuracy_, *rules_, *explain_,
-        *schema_, *completion_;
+    CLI::App *check_, *merge_, *fix_, *table_, *info_, *audit_, *evaluate_, *plan_, *accuracy_, *rules_,
+        *explain_, *schema_, *completion_;
     CheckCommand check_values_;
+    MergeCommand merge_values_;
     FixCommand fix_values_;
     TableCommand table_values_;
     InfoCommand info_values_;
@@ -64,10 +124,13 @@ private:
     SchemaCommand schema_values_;
     CompletionCommand completion_values_;
     std::deque<Choice> choices_;
-    Choice *check_format_, *fail_on_, *colour_, *fix_format_, *fix_fail_on_, *fix_colour_, *normals_,
-        *table_format_, *info_format_, *audit_law_, *audit_format_, *rules_format_, *evaluate_law_,
-        *plan_law_, *evaluate_format_, *plan_format_, *accuracy_reference_, *accuracy_format_;
+    Choice *check_format_, *fail_on_, *colour_, *merge_format_, *merge_fail_on_, *merge_colour_, *fix_format_,
+        *fix_fail_on_, *fix_colour_, *normals_, *table_format_, *info_format_, *audit_law_, *audit_format_,
+        *rules_format_, *evaluate_law_, *plan_law_, *evaluate_format_, *plan_format_, *accuracy_reference_,
+        *accuracy_format_;
     Words select_, ignore_, fix_select_, fix_ignore_;
+    Words check_outputs_, merge_outputs_, fix_outputs_;
+    std::string shard_;
     Words force_effects_;
     std::string within_, threads_, interface_, tolerance_, end_, step_, steps_, every_;
     std::map<const CLI::Option*, Words>
@@ -81,16 +144,19 @@ Parser::Parser() {
     app_.require_subcommand(1);
     app_.footer("Results go to standard output; errors, the summary and progress to standard error.\n"
                 "Exit status: 0 clean, 1 findings (of fix: left after it), 2 could not do the work, 3 a bug "
-                "of drawbead.");
+                "of drawbead,\n130 interrupted.");
 
     check_ = app_.add_subcommand("check", "Check the drawbeads of decks");
     CLI::Option* paths =
         check_
             ->add_option("PATH", check_values_.paths,
                          "Decks, folders (all *_0000.rad below), patterns, - for standard input")
-            ->required()
             ->type_name("");
     suggestions_[paths] = {};
+    check_
+        ->add_option("--scene", check_values_.scene,
+                     "A scene as evaluate reads it: its deck, with its motion instead of the deck's own")
+        ->type_name("FILE");
     Words with_names = rule_words(true);
     suggestions_[check_
                      ->add_option(
@@ -105,15 +171,42 @@ Parser::Parser() {
                      ->allow_extra_args(false)] = with_names;
     fail_on_ = &choice(check_, "--fail-on", {"error", "warning", "info", "never"},
                        "Least severity that gives exit status 1");
-    check_format_ = &choice(check_, "--format", {"full", "concise", "json"}, "How findings are printed");
+    check_format_ = &choice(check_, "--format", report_formats, "How findings are printed");
+    output_option(check_, check_outputs_);
     check_
-        ->add_option("-o,--output", check_values_.output.file,
-                     "Write results to a file, all at once when complete")
-        ->type_name("FILE");
+        ->add_option("--shard", shard_,
+                     "Check only part K of N of the decks: every Nth; 'drawbead merge' joins the reports")
+        ->type_name("K/N");
+    check_->add_flag("--statistics", check_values_.statistics,
+                     "Say at the end, on standard error, what each rule found and how long it took");
     colour_ = &choice(check_, "--color", {"auto", "always", "never"},
                       "When to colour text, NO_COLOR and CLICOLOR_FORCE heeded");
     check_->add_flag("-q,--quiet", check_values_.output.quiet, "No summary and no progress");
+    check_->add_option("--baseline", check_values_.baseline, "Findings that are known and do not count")
+        ->type_name("FILE");
+    check_
+        ->add_option("--write-baseline", check_values_.write_baseline,
+                     "Make all findings known: write them to this file")
+        ->type_name("FILE");
+    config_options(check_, check_values_.config);
+    check_->add_flag("--show-config", check_values_.config.show,
+                     "Print what holds for each deck, with where it comes from, and check nothing");
     reading_options(check_, check_values_.reading);
+
+    merge_ = app_.add_subcommand("merge", "Join JSON reports of check, into any of its formats");
+    merge_->add_option("REPORT", merge_values_.reports, "Reports, of all shards of a run or of several runs")
+        ->required()
+        ->type_name("");
+    merge_fail_on_ = &choice(merge_, "--fail-on", {"error", "warning", "info", "never"},
+                             "Least severity that gives exit status 1");
+    Words merged_formats = report_formats;
+    std::rotate(merged_formats.begin(), std::find(merged_formats.begin(), merged_formats.end(), "json"),
+                merged_formats.end());
+    merge_format_ = &choice(merge_, "--format", merged_formats, "How the report is printed");
+    output_option(merge_, merge_outputs_);
+    merge_colour_ = &choice(merge_, "--color", {"auto", "always", "never"},
+                            "When to colour text, NO_COLOR and CLICOLOR_FORCE heeded");
+    merge_->add_flag("-q,--quiet", merge_values_.output.quiet, "No summary");
 
     fix_ = app_.add_subcommand("fix", "Repair the drawbeads of decks");
     suggestions_[fix_->add_option("PATH", fix_values_.paths,
@@ -121,10 +214,11 @@ Parser::Parser() {
                      ->required()
                      ->type_name("")] = {};
     fix_->add_flag("--diff", fix_values_.diff, "Print the changes for 'patch -p1' and write nothing");
-    fix_->add_option("-o,--output", fix_values_.output.file,
+    fix_->add_option("-o,--output", fix_outputs_,
                      "Write the repaired deck to a file; into a folder when includes change too; - for "
-                     "standard output")
-        ->type_name("FILE");
+                     "standard output. With --dry-run: FORMAT=FILE, may be repeated")
+        ->type_name("FILE")
+        ->allow_extra_args(false);
     fix_->add_flag("--in-place", fix_values_.in_place,
                    "Replace the files that change, all of a deck or none");
     fix_->add_flag("--dry-run", fix_values_.dry_run, "Say what would be done and write nothing");
@@ -138,12 +232,15 @@ Parser::Parser() {
     fix_->add_flag("--unsafe", fix_values_.unsafe, "Repairs that change the physics or make a choice, too");
     normals_ = &choice(fix_, "--normals", {"surfaces", "elements"},
                        "Turn normals in the surfaces alone, or in the elements");
-    fix_format_ = &choice(fix_, "--format", {"text", "json"}, "How the report is printed");
+    fix_format_ =
+        &choice(fix_, "--format", {"text", "json", "jsonl", "csv", "sarif", "junit", "github", "gitlab"},
+                "How the report is printed; from jsonl on: the findings, when nothing is written");
     fix_fail_on_ = &choice(fix_, "--fail-on", {"error", "warning", "info", "never"},
                            "Least severity of what is left that gives exit status 1");
     fix_colour_ = &choice(fix_, "--color", {"auto", "always", "never"},
                           "When to colour text, NO_COLOR and CLICOLOR_FORCE heeded");
     fix_->add_flag("-q,--quiet", fix_values_.output.quiet, "No report");
+    config_options(fix_, fix_values_.config);
     reading_options(fix_, fix_values_.reading);
 
     table_ =
@@ -218,24 +315,34 @@ Parser::Parser() {
     rules_format_ = &choice(rules_, "--format", {"text", "json"}, "How they are printed");
 
     explain_ = app_.add_subcommand("explain", "Print the page of a rule");
-    suggestions_
-        [explain_->add_option("RULE", explain_values_.rule, "Its code or name")->required()->type_name("")] =
-            with_names;
+    suggestions_[explain_->add_option("RULE", explain_values_.rule, "Its code or name; or configuration")
+                     ->required()
+                     ->type_name("")] = with_names;
 
     schema_ = app_.add_subcommand("schema", "Print the JSON Schema of a document");
     suggestions_[schema_
                      ->add_option(
                          "NAME", schema_values_.name,
-                         "report: what check --format json writes; accuracy, audit, evaluation, fix, plan,\n"
-                         "table: what these do; scene: what evaluate reads")
+                         "report: what check --format json writes; lines: with --format jsonl, each\n"
+                         "line; accuracy, audit, evaluation, fix, plan, table: what these do;\n"
+                         "scene: what evaluate reads; config: .drawbead.yaml; baseline")
                      ->required()
-                     ->type_name("")] = {"accuracy", "audit",  "evaluation", "fix",
-                                         "plan",     "report", "scene",      "table"};
+                     ->type_name("")] = {"accuracy", "audit", "baseline", "config", "evaluation", "fix",
+                                         "lines",    "plan",  "report",   "scene",  "table"};
 
     completion_ = app_.add_subcommand("completion", "Print a completion script for a shell");
     suggestions_[completion_->add_option("SHELL", completion_values_.shell, "bash, zsh or fish")
                      ->required()
                      ->type_name("")] = {"bash", "zsh", "fish"};
+}
+
+void Parser::output_option(CLI::App* command, Words& outputs) {
+    command
+        ->add_option("-o,--output", outputs,
+                     "Write results to a file, all at once when complete; FORMAT=FILE for a format of its "
+                     "own, may be repeated; - for standard output")
+        ->type_name("FILE")
+        ->allow_extra_args(false);
 }
 
 /// The first of `words` is the default.
@@ -264,6 +371,14 @@ void Parser::reading_options(CLI::App* command, ReadArguments& reading) {
     command->add_option("-j,--threads", threads_, "Threads; 0, the default, for all cores")->type_name("N");
 }
 
+void Parser::config_options(CLI::App* command, ConfigArguments& config) {
+    command
+        ->add_option("--config", config.file,
+                     "Configuration for all decks (default: .drawbead.yaml, looked for from each upward)")
+        ->type_name("FILE");
+    command->add_flag("--isolated", config.isolated, "Read no configuration");
+}
+
 /// Times for a deck alone, and where the result goes.
 void Parser::scene_options(CLI::App* command, EvaluateCommand& values) {
     command->add_option("SCENE", values.path, "A scene (.yaml), or a deck that moves as it says")
@@ -285,7 +400,13 @@ void Parser::scene_options(CLI::App* command, EvaluateCommand& values) {
 void Parser::accuracy_options() {
     accuracy_ = app_.add_subcommand("accuracy",
                                     "What accuracy costs on a scene, and the cheapest settings within one");
-    accuracy_->add_option("SCENE", accuracy_values_.path, "A scene (.yaml)")->required()->type_name("");
+    CLI::Option* scene = accuracy_->add_option("SCENE", accuracy_values_.path, "A scene (.yaml)");
+    scene->type_name("");
+    accuracy_
+        ->add_flag("--hard-cases", accuracy_values_.hard_cases,
+                   "Instead of a scene: the built-in hard cases, what must hold in them, and what each law "
+                   "breaks")
+        ->excludes(scene);
     accuracy_
         ->add_option("--within", within_,
                      "Print the cheapest settings with no error above this, such as 0.1% or 0.001")
@@ -313,6 +434,8 @@ std::optional<UsageError> Parser::finish_accuracy() {
     accuracy_values_.reference = static_cast<AccuracyCommand::Reference>(index(*accuracy_reference_));
     accuracy_values_.format = static_cast<AccuracyCommand::Format>(index(*accuracy_format_));
     if (accuracy_values_.file == "-") accuracy_values_.file.clear();
+    if (accuracy_->parsed() && accuracy_values_.path.empty() && !accuracy_values_.hard_cases)
+        return UsageError{"accuracy needs a scene or --hard-cases", "see 'drawbead accuracy --help'"};
     if (within_.empty()) return std::nullopt;
     const bool percent = within_.back() == '%';
     double number = 0;
@@ -337,8 +460,13 @@ std::optional<UsageError> Parser::finish() {
     const auto index = [](const Choice& one) {
         return std::find(one.words.begin(), one.words.end(), one.value) - one.words.begin();
     };
-    check_values_.format = static_cast<Format>(index(*check_format_));
+    if (check_->parsed() && check_values_.paths.empty() && check_values_.scene.empty())
+        return UsageError{"check needs an argument: PATH is required", "see 'drawbead check --help'"};
+    if (!check_values_.paths.empty() && !check_values_.scene.empty())
+        return UsageError{"--scene names its deck itself", "please leave out PATH or --scene"};
+    if (std::optional<UsageError> error = finish_reports()) return error;
     check_values_.fail_on = static_cast<FailOn>(index(*fail_on_));
+    check_values_.fail_on_given = fail_on_->option->count() > 0;
     check_values_.output.colour = static_cast<ColourMode>(index(*colour_));
     table_values_.format = static_cast<TableFormat>(index(*table_format_));
     info_values_.json = index(*info_format_) == 1;
@@ -346,7 +474,6 @@ std::optional<UsageError> Parser::finish() {
     audit_values_.law = static_cast<AuditLaw>(index(*audit_law_));
     if (audit_values_.file == "-") audit_values_.file.clear();
     rules_values_.json = index(*rules_format_) == 1;
-    if (check_values_.output.file == "-") check_values_.output.file.clear();
     if (table_values_.file == "-") table_values_.file.clear();
 
     const auto law = [](const Choice& one) {
@@ -403,8 +530,12 @@ std::optional<UsageError> Parser::finish() {
     split(fix_select_, fix_values_.select);
     split(fix_ignore_, fix_values_.ignore);
     fix_values_.normals = static_cast<FixCommand::Normals>(index(*normals_));
-    fix_values_.json = index(*fix_format_) == 1;
+    fix_values_.json = fix_format_->value == "json";
     fix_values_.fail_on = static_cast<FailOn>(index(*fix_fail_on_));
+    fix_values_.fail_on_given = fix_fail_on_->option->count() > 0;
+    for (const ConfigArguments* config : {&check_values_.config, &fix_values_.config})
+        if (config->isolated && !config->file.empty())
+            return UsageError{"--config and --isolated exclude each other", "give one of them"};
     fix_values_.output.colour = static_cast<ColourMode>(index(*fix_colour_));
     if (const int ways = int{fix_values_.diff} + int{fix_values_.in_place} + int{fix_values_.dry_run} +
                          int{!fix_values_.output.file.empty()};
@@ -445,6 +576,69 @@ std::optional<UsageError> Parser::finish() {
             info_values_.reading.threads = audit_values_.reading.threads = evaluate_values_.reading.threads =
                 plan_values_.reading.threads = accuracy_values_.reading.threads = threads;
     }
+    return std::nullopt;
+}
+
+/// The formats and files of the commands that write findings.
+std::optional<UsageError> Parser::finish_reports() {
+    const auto read = [](const Words& outputs, std::optional<Format> format, bool asked_for,
+                         std::vector<OutputTarget>& into) -> std::optional<UsageError> {
+        auto all = targets(outputs, format.value_or(Format::full), asked_for);
+        if (!all) return UsageError{all.error().message, all.error().help};
+        into = std::move(*all);
+        return std::nullopt;
+    };
+    for (const auto& [command, outputs, choice, into] :
+         {std::tuple{check_, &check_outputs_, check_format_, &check_values_.outputs},
+          std::tuple{merge_, &merge_outputs_, merge_format_, &merge_values_.outputs}})
+        if (command->parsed())
+            if (auto error = read(*outputs, format_from(choice->value), choice->option->count() > 0, *into))
+                return error;
+    const auto index = [](const Choice& one) {
+        return std::find(one.words.begin(), one.words.end(), one.value) - one.words.begin();
+    };
+    merge_values_.fail_on = static_cast<FailOn>(index(*merge_fail_on_));
+    merge_values_.output.colour = static_cast<ColourMode>(index(*merge_colour_));
+
+    // Of fix, a name without a format is where the repaired deck goes.
+    Words reports;
+    for (const std::string& word : fix_outputs_) {
+        if (named_target(word)) {
+            reports.push_back(word);
+        } else if (fix_values_.output.file.empty()) {
+            fix_values_.output.file = word;
+        } else {
+            return UsageError{"-o takes one file or folder for the repaired deck",
+                              "two were given: '" + fix_values_.output.file + "' and '" + word + "'"};
+        }
+    }
+    if (fix_format_->value != "text" && fix_format_->value != "json")
+        reports.push_back(fix_format_->value + "=-");
+    if (!reports.empty()) {
+        if (auto error = read(reports, {}, false, fix_values_.findings)) return error;
+        if (fix_format_->value == "json" &&
+            std::any_of(fix_values_.findings.begin(), fix_values_.findings.end(),
+                        [](const OutputTarget& one) { return one.file.empty(); }))
+            return UsageError{"two formats want standard output", "give each a file of its own"};
+        if (fix_values_.diff || fix_values_.in_place || !fix_values_.output.file.empty())
+            return UsageError{"findings in other formats are for a run that writes nothing",
+                              "please give --dry-run instead"};
+    }
+
+    if (shard_.empty()) return std::nullopt;
+    ShardArgument shard;
+    const char* const end = shard_.data() + shard_.size();
+    const auto [slash, error] = std::from_chars(shard_.data(), end, shard.number);
+    constexpr uint64_t most = 100'000;
+    bool good = error == std::errc() && slash != end && *slash == '/';
+    if (good) {
+        const auto [stop, wrong] = std::from_chars(slash + 1, end, shard.of);
+        good = wrong == std::errc() && stop == end;
+    }
+    if (!good || shard.number < 1 || shard.number > shard.of || shard.of > most)
+        return UsageError{"--shard needs a part and a number of parts, not '" + shard_ + "'",
+                          "such as 2/7: the second of seven"};
+    check_values_.shard = shard;
     return std::nullopt;
 }
 
@@ -507,6 +701,7 @@ std::variant<Command, UsageError> Parser::parse(int argc, const char* const* arg
     }
     if (std::optional<UsageError> error = finish()) return *error;
     if (check_->parsed()) return Command{check_values_};
+    if (merge_->parsed()) return Command{merge_values_};
     if (fix_->parsed()) return Command{fix_values_};
     if (table_->parsed()) return Command{table_values_};
     if (info_->parsed()) return Command{info_values_};

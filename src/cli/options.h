@@ -9,7 +9,7 @@
 
 namespace drawbead {
 
-enum class Format { full, concise, json };
+enum class Format { full, concise, json, jsonl, csv, sarif, junit, github, gitlab };
 enum class ColourMode { automatic, always, never };
 enum class FailOn { error, warning, info, never };
 
@@ -21,6 +21,13 @@ struct ReadArguments {
     unsigned threads = 0;       ///< 0: all cores
 };
 
+/// Which configuration holds.
+struct ConfigArguments {
+    std::string file;      ///< for all decks; empty: looked for from each deck upward
+    bool isolated = false; ///< none
+    bool show = false;     ///< print it and do nothing else
+};
+
 /// Where results go and what stands around them.
 struct OutputArguments {
     std::string file; ///< empty: standard output
@@ -28,13 +35,38 @@ struct OutputArguments {
     bool quiet = false; ///< no summary, no progress
 };
 
+/// One of the results of a run: its format, and the file that it goes to.
+struct OutputTarget {
+    Format format = Format::full;
+    std::string file; ///< empty: standard output
+};
+
+/// One of `of` equal parts of the decks, from 1.
+struct ShardArgument {
+    uint64_t number = 1, of = 1;
+};
+
 struct CheckCommand {
-    std::vector<std::string> paths;
+    std::vector<std::string> paths;          ///< none with a scene
+    std::string scene;                       ///< names the deck, and how things move; empty: none
     std::vector<std::string> select, ignore; ///< single entries, as typed
     FailOn fail_on = FailOn::error;
-    Format format = Format::full;
+    bool fail_on_given = false;           ///< on the command line
+    std::string baseline, write_baseline; ///< empty: none
+    ConfigArguments config;
+    std::vector<OutputTarget> outputs; ///< at least one, all different
+    std::optional<ShardArgument> shard;
+    bool statistics = false;
     ReadArguments reading;
-    OutputArguments output;
+    OutputArguments output; ///< `file` is not used
+};
+
+/// Reports of `check` in JSON become one, in any format.
+struct MergeCommand {
+    std::vector<std::string> reports;
+    FailOn fail_on = FailOn::error;
+    std::vector<OutputTarget> outputs;
+    OutputArguments output; ///< `file` is not used
 };
 
 struct FixCommand {
@@ -46,7 +78,10 @@ struct FixCommand {
     bool unsafe = false;
     Normals normals = Normals::surfaces;
     bool json = false;
+    std::vector<OutputTarget> findings; ///< the findings and what would be done about them, in these formats
     FailOn fail_on = FailOn::error;
+    bool fail_on_given = false; ///< on the command line
+    ConfigArguments config;
     ReadArguments reading;
     OutputArguments output; ///< file: where the repaired deck goes, or a folder; "-" standard output
 };
@@ -98,6 +133,7 @@ struct AccuracyCommand {
     enum class Format { text, json, csv };
     enum class Reference { line, nodes, arc };
 
+    bool hard_cases = false;      ///< the built-in scenes instead of the user's
     std::string path;             ///< a scene
     std::optional<double> within; ///< tolerance asked for, a share
     Reference reference = Reference::line;
@@ -131,7 +167,7 @@ struct PrintCommand {
     std::string text;
 };
 
-using Command = std::variant<CheckCommand, FixCommand, TableCommand, InfoCommand, AuditCommand,
+using Command = std::variant<CheckCommand, MergeCommand, FixCommand, TableCommand, InfoCommand, AuditCommand,
                              EvaluateCommand, AccuracyCommand, RulesCommand, ExplainCommand, SchemaCommand,
                              CompletionCommand, PrintCommand>;
 

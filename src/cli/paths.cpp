@@ -1,6 +1,6 @@
 #include "cli/paths.h"
 
-#include "cli/nearest.h"
+#include "base/nearest.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,6 +1,7 @@
 #include "cli/reading.h"
 
 #include "base/parallel.h"
+#include "cli/interrupt.h"
 #include "cli/terminal.h"
 
 #include <cerrno>
@@ -20,6 +21,8 @@ Result<std::string> read_standard_input() {
         const ssize_t count = ::read(STDIN_FILENO, text.data() + size, step);
         text.resize(size + (count > 0 ? static_cast<std::size_t>(count) : 0));
         if (count == 0) return text;
+        if (count < 0 && errno == EINTR && interrupt_signal() != 0)
+            return Error{"interrupted while reading standard input", "", 0, 0, ""};
         if (count < 0 && errno != EINTR)
             return Error{"cannot read standard input: " + std::generic_category().message(errno), "", 0, 0,
                          ""};

@@ -1,7 +1,7 @@
 // The only file that includes yaml-cpp.
 #include "cli/scene_file.h"
 
-#include "cli/nearest.h"
+#include "base/nearest.h"
 
 #include <yaml-cpp/yaml.h>
 
@@ -346,7 +346,10 @@ Result<Scene> parse_scene(std::string_view text, const std::string& path) {
         return failure.error;
     } catch (const YAML::Exception& failure) {
         const bool known = !failure.mark.is_null();
-        return Error{failure.msg, path, known ? static_cast<uint64_t>(failure.mark.line + 1) : 0,
+        // What the library says of brackets in brackets in brackets.
+        const std::string message =
+            failure.msg == YAML::ErrorMsg::BAD_FILE ? "nested too deeply" : failure.msg;
+        return Error{message, path, known ? static_cast<uint64_t>(failure.mark.line + 1) : 0,
                      known ? static_cast<uint32_t>(failure.mark.column + 1) : 0, ""};
     }
 }
@@ -356,6 +359,22 @@ Result<Scene> read_scene(const std::string& path) {
     std::ostringstream text;
     if (!file || !(text << file.rdbuf())) return Error{"cannot be read", path, 0, 0, ""};
     return parse_scene(text.str(), path);
+}
+
+PrescribedMotion prescribed_by(const Scene& scene) {
+    PrescribedMotion out;
+    out.by_deck = scene.deck_motion;
+    out.motions = scene.motions;
+    for (const SceneMove& move : scene.moves)
+        out.motion_of_target.push_back(move.motion);
+    return out;
+}
+
+std::vector<MotionTarget> targets_of(const Scene& scene) {
+    std::vector<MotionTarget> out;
+    for (const SceneMove& move : scene.moves)
+        out.push_back(move.target);
+    return out;
 }
 
 std::vector<double> equal_steps(double end, std::optional<double> step, std::optional<uint64_t> steps) {

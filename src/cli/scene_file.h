@@ -3,6 +3,7 @@
 #include "base/result.h"
 #include "force/motion.h"
 #include "model/motion.h"
+#include "scene/class_motion.h"
 #include "study/settings.h"
 
 #include <cstdint>
@@ -57,6 +58,10 @@ struct Scene {
 /// Paths in a scene are relative to its folder.
 Result<Scene> read_scene(const std::string& path);
 Result<Scene> parse_scene(std::string_view text, const std::string& path);
+
+/// Who moves the nodes, and the targets of Model::build that its moves name.
+PrescribedMotion prescribed_by(const Scene&);
+std::vector<MotionTarget> targets_of(const Scene&);
 
 /// Times of equal steps; the last one may be shorter when `step` does not divide the end.
 std::vector<double> equal_steps(double end, std::optional<double> step, std::optional<uint64_t> steps);

@@ -1,17 +1,19 @@
 #include "cli/schema.h"
 
+#include "base/nearest.h"
 #include "cli/commands.h"
-#include "cli/nearest.h"
+#include "config/options.h"
 
 namespace drawbead {
 
 int run(const SchemaCommand& command) {
-    std::vector<std::string> names;
-    std::string list;
+    if (command.name == "config") return print(config_schema()); // made from the table of options
+    std::vector<std::string> names{"config"};
+    std::string list = names.front();
     for (const Schema& schema : schemas()) {
         if (schema.name == command.name) return print(schema.text);
         names.emplace_back(schema.name);
-        list += (list.empty() ? "" : ", ") + names.back();
+        list += ", " + names.back();
     }
     std::string help = did_you_mean(command.name, names);
     if (help.empty()) help = "there is: " + list;

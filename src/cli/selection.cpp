@@ -1,7 +1,8 @@
 #include "cli/selection.h"
 
+#include "base/nearest.h"
 #include "cli/commands.h"
-#include "cli/nearest.h"
+#include "config/options.h"
 
 #include <algorithm>
 
@@ -14,6 +15,9 @@ void add(Summary& total, const Summary& part) {
     total.errors += part.errors;
     total.warnings += part.warnings;
     total.infos += part.infos;
+    total.suppressed += part.suppressed;
+    total.known += part.known;
+    total.gone += part.gone;
 }
 
 bool fails(const Summary& summary, FailOn fail_on) {
@@ -28,6 +32,16 @@ bool fails(const Summary& summary, FailOn fail_on) {
         break;
     }
     return false;
+}
+
+std::string word_of(FailOn fail_on) {
+    return std::string(fail_on_words()[static_cast<std::size_t>(fail_on)]);
+}
+
+FailOn fail_on_from(const std::string& word) {
+    const auto words = fail_on_words();
+    const auto at = std::find(words.begin(), words.end(), word);
+    return static_cast<FailOn>(at - words.begin());
 }
 
 namespace {

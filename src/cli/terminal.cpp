@@ -47,14 +47,37 @@ void say_error(const Error& error) {
     say(terminal_safe((error.path.empty() ? "drawbead: " : "") + to_string(error)));
 }
 
+namespace {
+
+/// "2 h 05 min", "3 min 20 s", "45 s".
+std::string duration_text(double seconds) {
+    const auto whole = static_cast<uint64_t>(seconds + 0.5);
+    const auto two = [](uint64_t n) { return (n < 10 ? "0" : "") + std::to_string(n); };
+    if (whole < 60) return std::to_string(whole) + " s";
+    if (whole < 3600) return std::to_string(whole / 60) + " min " + two(whole % 60) + " s";
+    return std::to_string(whole / 3600) + " h " + two(whole / 60 % 60) + " min";
+}
+
+} // namespace
+
 Progress::Progress(bool enabled, std::size_t total)
-    : enabled_(enabled && total > 1 && ::isatty(STDERR_FILENO) == 1), total_(total),
-      next_(Clock::now() + std::chrono::milliseconds(500)) {}
+    : enabled_(enabled && total > 1 && ::isatty(STDERR_FILENO) == 1), total_(total), start_(Clock::now()),
+      next_(start_ + std::chrono::milliseconds(500)) {}
 
 void Progress::show(std::size_t done, std::string_view path) {
     if (!enabled_ || Clock::now() < next_) return;
-    next_ = Clock::now() + std::chrono::milliseconds(100);
-    std::string line = "[" + std::to_string(done) + "/" + std::to_string(total_) + "] " + terminal_safe(path);
+    const Clock::time_point now = Clock::now();
+    next_ = now + std::chrono::milliseconds(100);
+    std::string line = "[" + std::to_string(done) + "/" + std::to_string(total_) + "] ";
+    const double seconds = std::chrono::duration<double>(now - start_).count();
+    if (done > 0 && done < total_) {
+        const double rate = static_cast<double>(done) / seconds;
+        const auto tenths = static_cast<uint64_t>(10 * rate + 0.5);
+        line += std::to_string(tenths / 10);
+        if (rate < 10) line += '.' + std::to_string(tenths % 10);
+        line += "/s, " + duration_text(static_cast<double>(total_ - done) / rate) + " left  ";
+    }
+    line += terminal_safe(path);
     // One column stays free: a full line would wrap and could not be taken away.
     line.resize(std::min(line.size(), terminal_width() - 1));
     to_standard_error("\r\x1b[K" + line);

@@ -26,8 +26,8 @@ void say(std::string_view line);
 /// "drawbead: error: message; help", or with the place of the Error in front.
 void say_error(const Error&);
 
-/// "[12/3000] path" on standard error, when that is a terminal and the run takes longer than half a second.
-/// Not for several threads at once.
+/// "[12/3000] 40/s, 1 min 15 s left  path" on standard error, when that is a terminal and the run takes
+/// longer than half a second. Not for several threads at once.
 class Progress {
 public:
     Progress(bool enabled, std::size_t total);
@@ -44,7 +44,7 @@ private:
     bool enabled_;
     bool shown_ = false;
     std::size_t total_;
-    Clock::time_point next_;
+    Clock::time_point start_, next_;
 };
 
 } // namespace drawbead

@@ -1,5 +1,7 @@
 #include "contact/closest_segment.h"
 
+#include "geometry/closest_foot.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -90,6 +92,36 @@ uint32_t spread(uint32_t v) {
     v = (v | v << 8) & 0x0300f00f;
     v = (v | v << 4) & 0x030c30c3;
     return (v | v << 2) & 0x09249249;
+}
+
+/// Distance to the straight piece from a to b, squared.
+double squared_distance_to_line(Vec3 a, Vec3 b, Vec3 x) {
+    const Vec3 along = b - a, away = x - a;
+    const double squared = squared_norm(along);
+    const double t = squared > 0 ? std::clamp(dot(away, along) / squared, 0.0, 1.0) : 0.0;
+    return squared_norm(away - t * along);
+}
+
+/// An upper bound of the distance to a segment, squared, by straight pieces of it that begin at a foot on its
+/// border: the edges that end in a corner, or the ruling that crosses from a point of an edge to the edge
+/// opposite.
+double squared_bound_from(const NearMesh& mesh, const SegmentNodes& n, const FootNodes& at, Vec3 foot,
+                          Vec3 x) {
+    double bound = infinity;
+    for (std::size_t k = 0; k < 4; ++k) {
+        const auto e = edge_nodes(n, k);
+        if (at.count == 1 && (e[0] == at.node[0] || e[1] == at.node[0]))
+            bound = std::min(bound, squared_distance_to_line(mesh.x[e[0]], mesh.x[e[1]], x));
+        if (at.count == 2 &&
+            ((e[0] == at.node[0] && e[1] == at.node[1]) || (e[1] == at.node[0] && e[0] == at.node[1]))) {
+            const Vec3 from = mesh.x[e[0]], edge = mesh.x[e[1]] - from;
+            const double squared = squared_norm(edge);
+            const double t = squared > 0 ? dot(foot - from, edge) / squared : 0;
+            const Vec3 before = mesh.x[n[(k + 3) % 4]], after = mesh.x[n[(k + 2) % 4]];
+            bound = std::min(bound, squared_distance_to_line(foot, before + t * (after - before), x));
+        }
+    }
+    return bound;
 }
 
 /// Indices by ascending 30-bit key, in three passes; equal keys keep their order.
@@ -203,10 +235,11 @@ ClosestHit ClosestSegment::find(Vec3 x) const {
         bool inside;
     };
     std::vector<Candidate> candidates; // all that may still be within a tie of the closest
+    candidates.reserve(16);
     const double equal = tie(x);
     double closest = infinity, radius = infinity;
     visit_within(x, radius, [&](uint32_t s) {
-        const Foot foot = closest_point(mesh_.corners(s), x);
+        const Foot foot = closest_foot(mesh_.corners(s), x);
         if (foot.distance > radius) return;
         if (foot.distance < closest) {
             if (foot.distance + equal < closest) candidates.clear();
@@ -257,9 +290,15 @@ bool ClosestSegment::is_local_minimum(Vec3 x, uint32_t segment, const Foot& foot
     const FootNodes at = nodes_at(mesh_.segment[segment], foot);
     if (at.count == 0) return true;
     const double equal = tie(x);
+    const double closer = foot.distance - equal;
     for (const uint32_t s : mesh_.segments_around(at.node[0])) {
         if (s == segment || (at.count == 2 && !holds(mesh_.segment[s], at.node[1]))) continue;
-        if (closest_point(mesh_.corners(s), x).distance < foot.distance - equal) return false;
+        if (closer > 0 && squared_bound_from(mesh_, mesh_.segment[s], at, foot.point, x) < closer * closer)
+            return false;
+    }
+    for (const uint32_t s : mesh_.segments_around(at.node[0])) {
+        if (s == segment || (at.count == 2 && !holds(mesh_.segment[s], at.node[1]))) continue;
+        if (closest_foot(mesh_.corners(s), x).distance < foot.distance - equal) return false;
     }
     return true;
 }
@@ -269,20 +308,18 @@ std::optional<ClosestHit> ClosestSegment::other_layer(Vec3 x, const ClosestHit& 
     if (!nearest.found()) return {};
     const SegmentNodes& own = mesh_.segment[nearest.segment];
     uint32_t best = no_segment;
-    Foot best_foot;
     double radius = within;
     visit_within(x, radius, [&](uint32_t s) {
         const SegmentNodes& n = mesh_.segment[s];
         if (std::any_of(n.begin(), n.end(), [&](uint32_t node) { return holds(own, node); })) return;
-        const Foot foot = closest_point(mesh_.corners(s), x);
+        const Foot foot = closest_foot(mesh_.corners(s), x);
         if (foot.distance > radius || (foot.distance == radius && best != no_segment && s > best)) return;
         if (!is_local_minimum(x, s, foot)) return;
         best = s;
-        best_foot = foot;
         radius = foot.distance;
     });
     if (best == no_segment) return {};
-    return complete(x, best, best_foot);
+    return complete(x, best, closest_point(mesh_.corners(best), x));
 }
 
 NearMesh mesh_for_closest(const SegmentMesh& mesh, std::span<const Vec3> points, double travel,

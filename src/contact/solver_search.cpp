@@ -1,5 +1,7 @@
 #include "contact/solver_search.h"
 
+#include "contact/segment_corner.h"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -22,33 +24,8 @@ double squared_distance(Vec3 a, Vec3 b) {
     return squared_norm(b - a);
 }
 
-/// The corner of segment S at the node `nearest`: the edges to its two neighbours in S, and their product.
-struct Corner {
-    Vec3 at, u, v, n;
-};
-
-Corner corner_of(const SegmentNodes& s, uint32_t nearest, std::span<const Vec3> x) {
-    static constexpr std::array<std::size_t, 4> next{1, 2, 3, 0}, previous{3, 0, 1, 2};
-    std::size_t p = 0;
-    while (p < 3 && s[p] != nearest)
-        ++p; // a node that is not in S leaves p at the fourth
-    const Vec3 at = x[nearest];
-    const Vec3 u = x[is_triangle(s) && p == 2 ? s[0] : s[next[p]]] - at;
-    const Vec3 v = x[s[previous[p]]] - at;
-    return {at, u, v, cross(u, v)};
-}
-
-/// Does x lie in that corner, and how well: the smallest of the three barycentric coordinates in the triangle
-/// of the node and its neighbours.
 double corner_test(const SegmentNodes& s, uint32_t nearest, std::span<const Vec3> x, Vec3 bead) {
-    const auto [at, u, v, n] = corner_of(s, nearest, x);
-    const Vec3 w = bead - at;
-    const double q = 1 / dot(n, n);
-    const double b2 = dot(cross(u, w), n) * q;
-    const double b1 = dot(cross(w, v), n) * q;
-    const double b0 = 1 - b1 - b2;
-    const double b = std::min(std::min(b0, b1), b2);
-    return std::isnan(b1 + b2) ? -infinity : b; // no corner at all where n vanishes
+    return drawbead::corner_test(segment_corner(s, nearest, x), bead);
 }
 
 /// Triangle areas against the centre (a) and against the bead node (b), for edges 1 to 4.
@@ -310,53 +287,6 @@ SolverHit solver_step(Track& track, const NearMesh& mesh, std::span<const Vec3> 
     hit.segment = track.segment;
     hit.at_rim = !complete;
     return hit;
-}
-
-TrackRegion::TrackRegion(const Track& track, const NearMesh& mesh, std::span<const Vec3> x, Vec3 bead)
-    : slack_(1e-9 * (std::abs(bead.x) + std::abs(bead.y) + std::abs(bead.z))) {
-    // The nearest node stays while every other one of its ring is farther.
-    const Vec3 from = x[track.nearest];
-    const double nearest = squared_distance(from, bead);
-    std::array<uint32_t, most> seen;
-    std::size_t ring = 0;
-    for (const uint32_t s : mesh.segments_around(track.nearest))
-        for (const uint32_t node : mesh.segment[s]) {
-            if (node == track.nearest ||
-                std::find(seen.begin(), seen.begin() + ring, node) != seen.begin() + ring)
-                continue;
-            if (ring + 3 == most) {
-                count_ = 0;
-                return;
-            }
-            seen[ring++] = node;
-            add(2.0 * (from - x[node]), squared_distance(x[node], bead) - nearest);
-        }
-    // The segment stays while the corner test is not negative; its coordinates are linear in the position.
-    const Corner corner = corner_of(mesh.segment[track.segment], track.nearest, x);
-    const Vec3 w = bead - corner.at;
-    const double q = 1 / dot(corner.n, corner.n);
-    const Vec3 g2 = q * cross(corner.n, corner.u), g1 = q * cross(corner.v, corner.n);
-    const double b2 = dot(g2, w), b1 = dot(g1, w);
-    add(g2, b2);
-    add(g1, b1);
-    add(-(g1 + g2), 1 - b1 - b2);
-}
-
-void TrackRegion::add(Vec3 gradient, double value) {
-    const double size = norm(gradient);
-    plane_[count_++] = {gradient / size, value / size};
-}
-
-double TrackRegion::margin(Vec3 gone) const {
-    if (count_ == 0) return 0;
-    double least = infinity;
-    for (std::size_t i = 0; i < count_; ++i) {
-        const double left = plane_[i].distance + dot(plane_[i].inward, gone);
-        least = left < least ? left : least;
-        if (!(left > 0)) return 0; // not for NaN either
-    }
-    least = least * (1 - 1e-6) - slack_ - 1e-9 * (std::abs(gone.x) + std::abs(gone.y) + std::abs(gone.z));
-    return least > 0 ? least : 0;
 }
 
 SolverHit solver_project(const Corners& x, bool triangle, Vec3 bead) {

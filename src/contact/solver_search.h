@@ -68,31 +68,6 @@ SolverHit solver_step(Track&, const NearMesh&, std::span<const Vec3> x, Vec3 bea
 /// The part of solver_step that changes the track. False: segments around the track's node are missing.
 bool solver_follow(Track&, const NearMesh&, std::span<const Vec3> x, Vec3 bead);
 
-/// How a bead node may move against a surface that keeps its shape without solver_follow changing its track:
-/// as long as it stays on the inner side of all these planes.
-class TrackRegion {
-public:
-    TrackRegion() = default;
-    /// The track as solver_follow left it for a bead node at `bead`.
-    TrackRegion(const Track&, const NearMesh&, std::span<const Vec3> x, Vec3 bead);
-
-    /// How far the node may go on, in any direction, after it was displaced by `gone` since; never too far,
-    /// and 0 where the next step may change the track.
-    double margin(Vec3 gone) const;
-
-private:
-    static constexpr std::size_t most = 16;
-    struct Plane {
-        Vec3 inward;
-        double distance;
-    };
-    std::array<Plane, most> plane_;
-    std::size_t count_ = 0; ///< 0: nothing is known
-    double slack_ = 0;      ///< for rounding
-
-    void add(Vec3 gradient, double value);
-};
-
 /// The projection of one cycle on given corners (`triangle`: node 3 repeated). hit.segment is left alone.
 SolverHit solver_project(const Corners&, bool triangle, Vec3 bead);
 

@@ -12,8 +12,8 @@ namespace drawbead {
 
 namespace {
 
-constexpr std::array<int, 20> known_layouts{41,   42,   44,   51,   90,   100,  110,  120,  130,  140,
-                                            2017, 2018, 2019, 2020, 2021, 2022, 2023, 2024, 2025, 2026};
+constexpr std::array<int, 21> known_layouts{41,   42,   44,   51,   90,   100,  110,  120,  130,  140, 2017,
+                                            2018, 2019, 2020, 2021, 2022, 2023, 2024, 2025, 2026, 2612};
 
 bool is_known_layout(int version) {
     return std::find(known_layouts.begin(), known_layouts.end(), version) != known_layouts.end();
@@ -122,6 +122,9 @@ private:
         } else if (bytes.substr(0, 4096).find('\0') != std::string_view::npos) {
             error.message = "the file is binary, not a starter deck";
             error.help = "give the text deck (NAME_0000.rad), not a restart or animation file";
+        } else if (bytes.find('\n') == std::string_view::npos && bytes.find('\r') != std::string_view::npos) {
+            error.message = "the lines of the file end with a carriage return alone: all of it is one line";
+            error.help = "convert its line ends (tr '\\r' '\\n')";
         } else {
             error.message = "no /BEGIN keyword: the solver reads nothing of this file";
             error.help =
@@ -165,15 +168,17 @@ private:
             if (bytes[mark] == '#') {
                 if (const auto include = include_at(bytes, mark)) {
                     skip_to = include->next;
-                    open_include({id, mark, mark + file.line_at(mark).size()}, include->path, current);
+                    const std::string_view line = file.line_at(mark).substr(mark - file.line_begin(mark));
+                    open_include({id, mark, mark + line.size()}, *include, current);
                     if (stopped_) break;
                 } else {
                     directive(file, id, mark);
                 }
                 continue;
             }
-            const uint64_t line_begin = file.line_begin(mark);
-            const std::string_view line = file.line_at(mark).substr(mark - line_begin);
+            const uint64_t line_begin =
+                std::max(file.line_begin(mark), mark < 4 ? byte_order_mark(bytes) : 0);
+            const std::string_view line = file.line_at(mark).substr(mark - file.line_begin(mark));
             const Span header{id, mark, mark + line.size()};
             if (!any_keyword && !main) leading_text(file, id, line_begin);
             any_keyword = true;
@@ -206,6 +211,7 @@ private:
             open_block = deck_.blocks_.size();
             add_block(cut, header, text, current);
         }
+        if (!any_keyword && !main) leading_text(file, id, end);
         close_block(end);
         for (const OpenSubmodel& submodel : submodels)
             notice(Notice::Kind::submodel_not_closed, submodel.header, "//SUBMODEL");
@@ -241,6 +247,7 @@ private:
             for (uint64_t at = file.next_line(mark); at < file.bytes().size(); at = file.next_line(at)) {
                 const std::string_view text = file.line_at(at);
                 if (is_comment(text) || is_blank_line(text)) continue;
+                if (text[0] == '/' && cut_keyword_line(text).keyword == "END") return; // no data
                 notice(Notice::Kind::data_after_enddata, place, file.path());
                 return;
             }
@@ -249,22 +256,34 @@ private:
         }
     }
 
-    void open_include(const Span& place, const std::string& path, ScopeId from) {
+    void open_include(const Span& place, const IncludeDirective& include, ScopeId from) {
+        const std::string& path = include.path;
         if (path.empty()) {
             notice(Notice::Kind::include_missing, place, path, "no path given");
             return;
         }
         std::string found;
         const SourceFile& including = deck_.file(place.file);
-        std::vector<std::string> candidates{join_path(including.path(), path), join_path(deck_.path_, path)};
-        for (const std::string& folder : options_.include_path)
-            candidates.push_back(join_path(folder + "/x", path));
+        std::vector<std::string> candidates;
+        const auto add_candidates = [&](const std::string& written) {
+            candidates.push_back(join_path(including.path(), written));
+            candidates.push_back(join_path(deck_.path_, written));
+            for (const std::string& folder : options_.include_path)
+                candidates.push_back(join_path(folder + "/x", written));
+        };
+        add_candidates(path);
+        if (path.find('\\') != std::string::npos) { // written on Windows
+            std::string slashes = path;
+            std::replace(slashes.begin(), slashes.end(), '\\', '/');
+            add_candidates(slashes);
+        }
         for (const std::string& candidate : candidates) {
             if (!reader_.exists(candidate)) continue;
             found = candidate;
             break;
         }
         if (found.empty()) {
+            if (include.run_on) return; // "#includes of the tool": a comment, unless there is such a file
             notice(Notice::Kind::include_missing, place, path);
             return;
         }
@@ -451,7 +470,10 @@ private:
                 raw.text = card.size() > 10 ? card.substr(10, 90) : std::string_view{};
                 for (int more = 0; more < 9 && lines.next_filled(line); ++more) {
                     const std::string_view next = lines.text(line);
-                    raw.text += next.size() > 10 ? next.substr(10, 90) : std::string_view{};
+                    // The columns of the name are blank, or the expression goes on in them.
+                    raw.text += trim(next.substr(0, 10)).empty()
+                                    ? next.substr(std::min<std::size_t>(10, next.size()), 90)
+                                    : next.substr(0, 100);
                 }
             } else if (raw.kind == Parameter::Kind::text) {
                 if (lines.next(line)) raw.text = lines.text(line);
@@ -553,7 +575,7 @@ private:
         const std::string_view what = block.keyword.substr(5);
         const std::size_t slash = what.find('/');
         if (slash == std::string_view::npos) return;
-        const std::string_view quantity = what.substr(0, slash), code = what.substr(slash + 1);
+        const std::string_view quantity = what.substr(0, slash), code = trim(what.substr(slash + 1));
         const char base = quantity == "MASS"     ? 'g'
                           : quantity == "LENGTH" ? 'm'
                           : quantity == "TIME"   ? 's'

@@ -33,21 +33,32 @@ private:
     int fd_;
 };
 
-/// Reads to the end of the file; `expected` only sizes the first buffer (pipes and /proc files say 0).
-Result<std::string> read_all(int fd, const std::string& path, std::size_t expected) {
-    std::string text;
-    text.resize(expected + 1);
-    std::size_t used = 0;
+/// Memory that is filled once: neither zeroed before nor copied after.
+struct Bytes {
+    std::unique_ptr<char[]> memory;
+    std::size_t size = 0;
+};
+
+/// Reads to the end of the file; `expected` only sizes the first buffer (pipes and /proc files say 0). A zero
+/// byte follows.
+Result<Bytes> read_all(int fd, const std::string& path, std::size_t expected) {
+    std::size_t room = expected + 1;
+    Bytes out{std::unique_ptr<char[]>(new char[room]), 0};
     for (;;) {
-        if (used == text.size()) text.resize(text.size() * 2);
-        const ssize_t got = ::read(fd, text.data() + used, text.size() - used);
+        if (out.size == room) {
+            std::unique_ptr<char[]> larger(new char[2 * room]);
+            std::memcpy(larger.get(), out.memory.get(), out.size);
+            out.memory = std::move(larger);
+            room *= 2;
+        }
+        const ssize_t got = ::read(fd, out.memory.get() + out.size, room - out.size);
         if (got < 0 && errno == EINTR) continue;
         if (got < 0) return system_error(path, errno);
         if (got == 0) break;
-        used += static_cast<std::size_t>(got);
+        out.size += static_cast<std::size_t>(got);
     }
-    text.resize(used);
-    return text;
+    out.memory[out.size] = '\0'; // there is room: the loop ends with a read of at least one byte
+    return out;
 }
 
 } // namespace
@@ -99,9 +110,13 @@ Result<FileBytes> DiskReader::read(const std::string& path) {
         bytes.mapped_ = true;
         return bytes;
     }
-    auto text = read_all(file.get(), path, S_ISREG(status.st_mode) ? size : 0);
-    if (!text) return text.error();
-    return FileBytes(std::move(*text));
+    auto read = read_all(file.get(), path, S_ISREG(status.st_mode) ? size : 0);
+    if (!read) return read.error();
+    FileBytes bytes;
+    bytes.owned_ = std::move(read->memory);
+    bytes.data_ = bytes.owned_.get();
+    bytes.size_ = read->size;
+    return bytes;
 }
 
 bool DiskReader::exists(const std::string& path) {

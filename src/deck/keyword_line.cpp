@@ -50,6 +50,11 @@ bool take_continuation(std::string_view& piece) {
 
 } // namespace
 
+uint64_t byte_order_mark(std::string_view file) {
+    constexpr std::string_view mark = "\xef\xbb\xbf";
+    return file.substr(0, mark.size()) == mark ? mark.size() : 0;
+}
+
 KeywordLine cut_keyword_line(std::string_view line) {
     KeywordLine result;
     std::size_t at = 1;
@@ -86,8 +91,16 @@ KeywordLine cut_keyword_line(std::string_view line) {
     std::string_view keyword = trim(line.substr(keyword_begin, keyword_end - keyword_begin));
     while (!keyword.empty() && (keyword.back() == '/' || keyword.back() == ' '))
         keyword.remove_suffix(1);
-    // Text after a keyword without an id ("/END of deck") is not part of it.
-    if (result.id.empty()) keyword = keyword.substr(0, keyword.find_first_of(" \t"));
+    // Text after a keyword without an id ("/END of deck") is not part of it; a padded last field is
+    // ("/UNIT/LENGTH/     mm").
+    if (result.id.empty()) {
+        std::size_t from = 0;
+        while (from < keyword.size() && keyword[from] != ' ' && keyword[from] != '\t')
+            ++from;
+        if (from > 0 && keyword[from - 1] == '/')
+            from = std::min(keyword.find_first_not_of(" \t", from), keyword.size());
+        keyword = keyword.substr(0, keyword.find_first_of(" \t", from));
+    }
     result.keyword = keyword;
     return result;
 }
@@ -98,6 +111,8 @@ std::optional<IncludeDirective> include_at(std::string_view bytes, uint64_t offs
     IncludeDirective directive;
     uint64_t at = offset;
     std::string_view line = first;
+    directive.run_on =
+        first.size() > 8 && std::string_view(" \t\r'\"").find(first[8]) == std::string_view::npos;
     std::string_view piece = trim(first.substr(8));
     for (;;) {
         const bool more = take_continuation(piece);

@@ -7,6 +7,10 @@
 
 namespace drawbead {
 
+/// Length of the byte order mark that some editors write at the beginning of a file: 3, or 0 without one. The
+/// first line begins behind it.
+uint64_t byte_order_mark(std::string_view file);
+
 /// A keyword line cut into its fields: /K1/K2/…/ID/UNIT
 struct KeywordLine {
     std::string_view keyword; ///< "GRNOD/NODENS", without slashes at its ends; "/SUBMODEL" for //SUBMODEL
@@ -19,8 +23,9 @@ struct KeywordLine {
 KeywordLine cut_keyword_line(std::string_view line);
 
 struct IncludeDirective {
-    std::string path;  ///< joined over continuation lines, quotes removed
-    uint64_t next = 0; ///< offset of the first byte after the directive
+    std::string path;    ///< joined over continuation lines, quotes removed
+    uint64_t next = 0;   ///< offset of the first byte after the directive
+    bool run_on = false; ///< text sticks to the word, as in "#includes": it may be a comment
 };
 
 /// The #include whose line starts at `offset`, with its continuations; empty when the line is no #include.

@@ -9,8 +9,9 @@ namespace drawbead {
 
 namespace {
 
+/// Old editors end a file with the byte 0x1a.
 constexpr bool is_blank(char c) {
-    return c == ' ' || c == '\t' || c == '\r';
+    return c == ' ' || c == '\t' || c == '\r' || c == '\x1a';
 }
 constexpr bool is_digit(char c) {
     return c >= '0' && c <= '9';

@@ -1,6 +1,7 @@
 #include "deck/scan.h"
 
 #include "base/parallel.h"
+#include "deck/keyword_line.h"
 
 #include <algorithm>
 #include <array>
@@ -13,10 +14,15 @@ namespace {
 
 constexpr std::size_t chunk = 64;
 
+/// Whether a line begins at `offset`; the one behind a byte order mark counts.
+bool begins_line(std::string_view bytes, uint64_t offset) {
+    return offset == 0 || bytes[offset - 1] == '\n' || (offset == 3 && byte_order_mark(bytes) == 3);
+}
+
 /// Whether the slash or '#' at `offset` opens a line that the deck reader must look at.
 bool is_mark(std::string_view bytes, uint64_t offset) {
     if (bytes[offset] == '#') {
-        if (offset > 0 && bytes[offset - 1] != '\n') return false;
+        if (!begins_line(bytes, offset)) return false;
         if (offset + 1 >= bytes.size()) return false;
         const char next = bytes[offset + 1];
         return next == 'i' || next == 'I' || next == 'e' || next == 'E' || next == '!';
@@ -25,16 +31,37 @@ bool is_mark(std::string_view bytes, uint64_t offset) {
     uint64_t at = offset;
     while (at > 0 && (bytes[at - 1] == ' ' || bytes[at - 1] == '\t'))
         --at;
-    if (at > 0 && bytes[at - 1] != '\n') return false;
+    if (!begins_line(bytes, at)) return false;
     if (at == offset) return true;
     const char next = offset + 1 < bytes.size() ? bytes[offset + 1] : '\0';
     return (next >= 'A' && next <= 'Z') || next == '/';
 }
 
+/// Whether the '#' at `offset` opens a comment line that begins with a word and a colon.
+bool is_remark(std::string_view bytes, uint64_t offset) {
+    constexpr uint64_t longest_word = 32;
+    if (bytes[offset] != '#' || (offset > 0 && bytes[offset - 1] != '\n')) return false;
+    uint64_t at = offset + 1;
+    while (at < bytes.size() && (bytes[at] == ' ' || bytes[at] == '\t'))
+        ++at;
+    const uint64_t word = at;
+    while (at < bytes.size() && at - word < longest_word &&
+           ((bytes[at] >= 'a' && bytes[at] <= 'z') || (bytes[at] >= 'A' && bytes[at] <= 'Z')))
+        ++at;
+    return at > word && at < bytes.size() && bytes[at] == ':';
+}
+
 struct Piece {
-    std::vector<uint64_t> marks;
+    std::vector<uint64_t> marks, remarks;
     uint64_t newlines = 0;
 };
+
+void note(std::string_view bytes, uint64_t offset, Piece& piece) {
+    if (is_mark(bytes, offset))
+        piece.marks.push_back(offset);
+    else if (is_remark(bytes, offset))
+        piece.remarks.push_back(offset);
+}
 
 /// Body of the scan, compiled for the base instruction set and for AVX2: the compiler turns the inner loop
 /// into a few vector compares per chunk.
@@ -53,12 +80,11 @@ __attribute__((always_inline)) inline void scan_body(std::string_view bytes, uin
         piece.newlines += count;
         if (!interesting) continue;
         for (std::size_t i = 0; i < chunk; ++i)
-            if ((data[at + i] == '/' || data[at + i] == '#') && is_mark(bytes, at + i))
-                piece.marks.push_back(at + i);
+            if (data[at + i] == '/' || data[at + i] == '#') note(bytes, at + i, piece);
     }
     for (; at < end; ++at) {
         piece.newlines += data[at] == '\n';
-        if ((data[at] == '/' || data[at] == '#') && is_mark(bytes, at)) piece.marks.push_back(at);
+        if (data[at] == '/' || data[at] == '#') note(bytes, at, piece);
     }
 }
 
@@ -98,12 +124,24 @@ LineScan scan_lines(std::string_view bytes, unsigned threads) {
     for (const Piece& piece : pieces) {
         result.newlines.push_back(result.newlines.back() + piece.newlines);
         result.marks.insert(result.marks.end(), piece.marks.begin(), piece.marks.end());
+        result.remarks.insert(result.remarks.end(), piece.remarks.begin(), piece.remarks.end());
     }
     return result;
 }
 
 uint64_t count_newlines(std::string_view bytes) {
-    return static_cast<uint64_t>(std::count(bytes.begin(), bytes.end(), '\n'));
+    // A byte holds the count of a chunk, so that the compiler adds up sixteen of them at a time.
+    uint64_t newlines = 0;
+    std::size_t at = 0;
+    for (; at + chunk <= bytes.size(); at += chunk) {
+        unsigned char count = 0;
+        for (std::size_t i = 0; i < chunk; ++i)
+            count = static_cast<unsigned char>(count + (bytes[at + i] == '\n'));
+        newlines += count;
+    }
+    for (; at < bytes.size(); ++at)
+        newlines += bytes[at] == '\n';
+    return newlines;
 }
 
 } // namespace drawbead

@@ -12,6 +12,7 @@ struct LineScan {
 
     std::vector<uint64_t>
         marks; ///< offsets of line starts with '/', or with a '#' directive (include, enddata, …)
+    std::vector<uint64_t> remarks;  ///< offsets of comment lines that begin with a word and a colon
     std::vector<uint64_t> newlines; ///< newlines in [0, k·stride), for k = 0 … ceil(size/stride)
 };
 

@@ -23,6 +23,8 @@ public:
     std::string_view bytes() const { return bytes_.view(); }
     std::string_view text(uint64_t begin, uint64_t end) const { return bytes().substr(begin, end - begin); }
     const std::vector<uint64_t>& marks() const { return scan_.marks; }
+    /// Comment lines that may speak to a tool: "# word: …".
+    const std::vector<uint64_t>& remarks() const { return scan_.remarks; }
 
     Position at(uint64_t offset) const;
     /// Newlines in [0, offset).

@@ -71,6 +71,10 @@ struct EvaluatedTool {
         std::string law;
         Peak normal, restraint; ///< norms of the sums of totals
         std::array<double, 3> normal_vector{};
+        /// What holds the tool down against it at that time; empty: no such force is in the deck.
+        std::optional<double> holding;
+
+        double share() const { return holding && *holding > 0 ? normal.value / *holding : 0; }
     };
     std::vector<Sum> sums;
 };

@@ -56,8 +56,7 @@ std::string fingerprint(std::string_view code, std::optional<int64_t> interface_
     hash.number(interface_id.value_or(-1));
     for (const EntityList* list : {&entities.nodes, &entities.segments, &entities.elements}) {
         hash.number(static_cast<int64_t>(list->count));
-        for (const int64_t id : list->ids)
-            hash.number(id);
+        hash.number(static_cast<int64_t>(list->digest));
     }
     hash.bytes(discriminator);
     return hash.hex();
@@ -69,6 +68,10 @@ Summary summarise(const std::vector<DeckResult>& decks) {
     for (const DeckResult& deck : decks) {
         if (deck.failed()) ++summary.failed;
         summary.interfaces += deck.info.interfaces.size();
+        summary.suppressed += deck.suppressed;
+        summary.known += deck.known;
+        for (const BaselineEntry& entry : deck.gone)
+            summary.gone += entry.count;
         for (const Finding& finding : deck.findings) {
             switch (finding.severity) {
             case Severity::error:

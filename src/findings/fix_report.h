@@ -52,17 +52,6 @@ struct InterfaceOutcome {
     bool changed() const;
 };
 
-/// A change of a file as it was before: `removed` bytes at `offset` became `text`.
-struct FileEdit {
-    uint64_t offset = 0, removed = 0, line = 0;
-    uint32_t column = 0;
-    std::string text;
-};
-struct FileChange {
-    std::string path;
-    std::vector<FileEdit> edits;
-};
-
 /// One deck.
 struct FixReport {
     std::string path;

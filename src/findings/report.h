@@ -41,6 +41,13 @@ struct StarterMessages {
     std::vector<Interface> interfaces;
 };
 
+/// Findings that are alike, as a baseline lists them.
+struct BaselineEntry {
+    std::string fingerprint, code;
+    std::optional<int64_t> interface_id;
+    uint64_t count = 1;
+};
+
 struct DeckResult {
     std::string path;
     std::string
@@ -49,7 +56,10 @@ struct DeckResult {
     std::string failure_help;
     DeckInfo info;
     std::optional<StarterMessages> starter;
-    std::vector<Finding> findings; ///< sorted by place, code, message
+    std::vector<Finding> findings;   ///< sorted by place, code, message
+    uint64_t suppressed = 0;         ///< findings that a comment in the deck takes away
+    uint64_t known = 0;              ///< findings that the baseline takes away
+    std::vector<BaselineEntry> gone; ///< of the baseline, no longer found
 
     bool failed() const { return !failure.empty(); }
 };
@@ -57,7 +67,16 @@ struct DeckResult {
 struct Summary {
     uint64_t decks = 0, failed = 0, interfaces = 0;
     uint64_t errors = 0, warnings = 0, infos = 0;
-    double seconds = 0; ///< of the whole run; 0 where output must be reproducible
+    uint64_t suppressed = 0, known = 0, gone = 0; ///< see DeckResult
+    double seconds = 0;                           ///< of the whole run; 0 where output must be reproducible
+    uint64_t asked = 0; ///< decks that were to be looked at; fewer were when the run was interrupted
+    bool interrupted = false;
+    int exit_status = 0;
+};
+
+/// One of `of` equal parts of a run: every `of`th deck from number `number` on, from 1.
+struct Shard {
+    uint64_t number = 1, of = 1;
 };
 
 struct Report {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 namespace drawbead {
 
@@ -21,6 +22,10 @@ bool same(const StepTotals& a, const StepTotals& b) {
     return same(a.normal, b.normal) && same(a.restraint, b.restraint) && same(a.couple, b.couple) &&
            same(a.normal_sum, b.normal_sum) && same(a.restraint_sum, b.restraint_sum) &&
            a.in_contact == b.in_contact && a.on_plateau == b.on_plateau;
+}
+
+bool is_finite(Vec3 a) {
+    return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
 }
 
 } // namespace
@@ -76,6 +81,20 @@ std::optional<std::size_t> first_difference(const BeadHistory& a, const BeadHist
                        a.ever_in_contact == b.ever_in_contact && same(a.worst_restraint, b.worst_restraint) &&
                        a.worst_node == b.worst_node && same(a.worst_time, b.worst_time);
     return equal ? std::nullopt : std::optional(a.steps.size());
+}
+
+std::optional<std::size_t> first_not_finite(const BeadHistory& h) {
+    for (std::size_t n = 0; n < h.steps.size(); ++n) {
+        const StepTotals& step = h.steps[n];
+        if (!is_finite(step.normal) || !is_finite(step.restraint) || !is_finite(step.couple) ||
+            !std::isfinite(step.normal_sum) || !std::isfinite(step.restraint_sum))
+            return n;
+    }
+    const BeadEnergy& e = h.energy;
+    for (const double value :
+         {e.normal_work, e.restraint_work, e.tool_work, e.stored, e.dissipated, e.created, h.worst_restraint})
+        if (!std::isfinite(value)) return h.steps.size();
+    return is_finite(h.impulse) ? std::nullopt : std::optional(h.steps.size());
 }
 
 } // namespace drawbead

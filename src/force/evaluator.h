@@ -72,4 +72,8 @@ std::unique_ptr<BeadRun> make_manual_run(const EvaluationScene&, std::size_t bea
 /// they have the same bits, 0 and −0 alike.
 std::optional<std::size_t> first_difference(const BeadHistory&, const BeadHistory&);
 
+/// The first step at which a total is no finite number, the number of steps when only an energy or impulse is
+/// not; empty when all are.
+std::optional<std::size_t> first_not_finite(const BeadHistory&);
+
 } // namespace drawbead

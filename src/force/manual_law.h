@@ -47,18 +47,28 @@ constexpr Real manual_limit(Real first, Real last, Real s_fraction) {
     return std::max(last == 0 ? first : first + s_fraction * (last - first), Real(0));
 }
 
+/// v / |v| whatever its magnitude; zero for a zero vector.
+template <class Real>
+BasicVec3<Real> unit_of(BasicVec3<Real> v) {
+    constexpr Real far = sizeof(Real) == 8 ? Real(1e140) : Real(1e15); // the square is still a number
+    Real size = norm(v);
+    if (!(size > 1 / far && size < far)) {
+        const Real largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+        v = largest > 0 ? v / largest : BasicVec3<Real>{};
+        size = largest > 0 ? norm(v) : Real(1);
+    }
+    return v / size;
+}
+
 /// Force of one node. `q` is the slider's force: read and written under incremental restraint, 0 on each new
 /// contact. The return map is exact at the end of a step in which the velocity keeps its sign.
 template <class Real, Effects E>
 ManualForce<Real> manual_node_force(const BeadLaw<Real>& bead, const ManualContact<Real>& at,
                                     const ManualInput<Real>& node, Real& q) {
-    using V = BasicVec3<Real>;
     ManualForce<Real> out;
     if constexpr (E.restraint == Restraint::none && !E.normal) return out;
     out.normal = at.normal;
-    const V direction = cross(at.normal, node.half_chord);
-    const Real size = norm(direction);
-    out.across = size > 0 ? direction / size : V{};
+    out.across = unit_of(cross(at.normal, node.half_chord));
     out.ft_limit = E.varies ? manual_limit(bead.ft_first, bead.ft_last, node.s_fraction)
                             : std::max(bead.ft_first, Real(0));
     const bool normal_on = E.normal && bead.fn_first != 0;

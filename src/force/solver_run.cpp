@@ -1,3 +1,4 @@
+#include "contact/rigid_tracks.h"
 #include "force/evaluator.h"
 #include "force/moving_surface.h"
 #include "force/solver_kernels.h"
@@ -5,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 namespace drawbead {
 
@@ -17,9 +20,8 @@ public:
     SolverRun(const EvaluationScene& scene, const std::vector<MotionSteps>& steps, std::size_t bead,
               EffectSet stages)
         : BeadRun(scene, bead, stages), steps_(steps), blank_(surface_, steps), law_(bead_.law), x_(bead_.x),
-          track_(bead_.track), due_(x_.size(), 0.0), region_(x_.size()), gone_(scene.motions.size()),
-          gone_then_(x_.size()), tool_motions_(bead_.motion), state_(x_.size()), force_(x_.size()),
-          half_chord_(x_.size()), s_(x_.size(), 0.0) {
+          track_(bead_.track), due_(x_.size(), 0.0), tool_motions_(bead_.motion), state_(x_.size()),
+          force_(x_.size()), half_chord_(x_.size()), s_(x_.size(), 0.0) {
         if (law_.fn_first == 0) law_.fn_last = 0; // the solver has no normal force then
         restraint_ = bead_.iform == 1 ? Effect::viscous : Effect::incremental;
         const bool restrains = stages.has(restraint_);
@@ -47,6 +49,7 @@ public:
         deforming_ = stages.has(Effect::deforming_blank) || !one_motion_;
         tool_turns_ = std::any_of(bead_.motion.begin(), bead_.motion.end(),
                                   [&](uint32_t m) { return steps_[m].turns; });
+        if (!deforming_ && !surface_.motion.empty()) rigid_.emplace(surface_.mesh, rounding());
     }
 
 private:
@@ -114,10 +117,7 @@ private:
 
     /// What the law asks for of node i.
     void prepare(std::size_t i, std::size_t n, SegmentState<double>& segment, NodeInput<double>& in) {
-        if (deforming_ || (moved_ >= due_[i] && !stays(i))) {
-            count(Effect::search);
-            settled_ = follow(i, n) && settled_;
-        }
+        if (deforming_ || moved_ >= due_[i]) settled_ = follow(i, n) && settled_;
         const uint32_t number = track_[i].segment;
         const SegmentNodes& nodes = surface_.mesh.segment[number];
         for (std::size_t k = 0; k < 4; ++k)
@@ -192,28 +192,23 @@ private:
         sample.restraint = f.tangential;
     }
 
-    /// Whether the node is still where its track cannot change; then says for how long.
-    bool stays(std::size_t i) {
-        const double margin = region_[i].margin(gone_[bead_.motion[i]] - gone_then_[i]);
-        due_[i] = moved_ + margin;
-        return margin > 0;
-    }
-
-    /// Searches; whether the track stayed.
+    /// Searches where the track may change; whether it stayed.
     bool follow(std::size_t i, std::size_t n) {
-        const NearMesh& mesh = surface_.mesh;
         Track& track = track_[i];
         const Track before = track;
-        blank_.bring_rings(track.nearest, n);
-        blank_.bring_segment(track.segment, n);
-        at_rim_ = !solver_follow(track, mesh, blank_.x(), x_[i]) || at_rim_;
-        const bool stayed = track.nearest == before.nearest && track.segment == before.segment;
-        due_[i] = moved_;
-        if (deforming_) return stayed;
-        region_[i] = TrackRegion(track, mesh, blank_.x(), x_[i]);
-        gone_then_[i] = gone_[bead_.motion[i]];
-        due_[i] += region_[i].margin({});
-        return stayed;
+        if (deforming_) {
+            count(Effect::search);
+            blank_.bring_rings(track.nearest, n);
+            blank_.bring_segment(track.segment, n);
+            at_rim_ = !solver_follow(track, surface_.mesh, blank_.x(), x_[i]) || at_rim_;
+        } else {
+            Now now(blank_, n);
+            const RigidTracks::Step step = rigid_->follow(track, x_[i] - gone_, x_[i], now);
+            if (step.searched) count(Effect::search);
+            at_rim_ = !step.complete || at_rim_;
+            due_[i] = moved_ + step.margin;
+        }
+        return track.nearest == before.nearest && track.segment == before.segment;
     }
 
     void add(StepTotals& totals, std::size_t i, const NodeForce<double>& f,
@@ -298,23 +293,45 @@ private:
         take_half_chords();
     }
 
-    /// How far bead nodes have come against the blank at most.
+    /// How far the blank has come, and bead nodes against it at most.
     void note_motion(std::size_t n) {
         if (deforming_ || !stages_.has(Effect::moving)) return;
         const MotionSteps& blank = steps_[surface_.motion.front()];
         const Vec3 base = blank.increment.empty() ? Vec3{} : blank.increment[n];
+        gone_ += base;
         if (tool_turns_) {
-            moved_ = HUGE_VAL; // searched in every step
+            moved_ = HUGE_VAL; // looked at in every step
             return;
         }
         double most = 0;
         for (const uint32_t m : tool_motions_) {
             const MotionSteps& tool = steps_[m];
-            const Vec3 step = (tool.increment.empty() ? Vec3{} : tool.increment[n]) - base;
-            gone_[m] += step;
-            most = std::max(most, norm(step));
+            most = std::max(most, norm((tool.increment.empty() ? Vec3{} : tool.increment[n]) - base));
         }
         moved_ += most;
+    }
+
+    /// How far the distance of a bead node and a node of the blank may be off at any step, when the blank is
+    /// taken as it was and the node as far back as the blank has come: sums of increments, rounded each time.
+    double rounding() const {
+        double size = 0;
+        const auto reach = [&](Vec3 x) {
+            size = std::max({size, std::abs(x.x), std::abs(x.y), std::abs(x.z)});
+        };
+        for (const Vec3& x : x_)
+            reach(x);
+        for (const Vec3& x : surface_.mesh.x)
+            reach(x);
+        double way = 0;
+        const auto path = [&](const MotionSteps& m) {
+            for (const Vec3& step : m.increment)
+                way += norm(step);
+        };
+        path(steps_[surface_.motion.front()]);
+        for (const uint32_t m : tool_motions_)
+            path(steps_[m]);
+        constexpr double unit = std::numeric_limits<double>::epsilon();
+        return unit * (size + way) * (16 + 4 * static_cast<double>(scene_.time.size()));
     }
 
     void take_half_chords() {
@@ -345,6 +362,17 @@ private:
         }
     }
 
+    /// The blank at the step at hand.
+    class Now final : public SurfaceNow {
+    public:
+        Now(MovingSurface& blank, std::size_t n) : blank_(blank), n_(n) {}
+        const Vec3& at(uint32_t node) override { return blank_.at(node, n_); }
+
+    private:
+        MovingSurface& blank_;
+        std::size_t n_;
+    };
+
     /// What acted in the cycle before.
     struct Applied {
         Vec3 normal, restraint;
@@ -362,10 +390,9 @@ private:
     bool keep_ = false; ///< samples of this cycle
     std::vector<Vec3> x_;
     std::vector<Track> track_;
-    std::vector<double> due_;         ///< way at which the node's track is to be looked at again
-    std::vector<TrackRegion> region_; ///< of each node since its last search
-    std::vector<Vec3> gone_;          ///< by motion of the bead: displacement against the blank
-    std::vector<Vec3> gone_then_;     ///< by node: at its last search
+    std::vector<double> due_;          ///< way at which the node's track is to be looked at again
+    std::optional<RigidTracks> rigid_; ///< of a blank that does not deform
+    Vec3 gone_;                        ///< displacement of such a blank
     std::vector<uint32_t> tool_motions_;
     std::vector<NodeState<double>> state_;
     std::vector<Applied> force_;

@@ -1,6 +1,9 @@
 #include "geometry/closest_point.h"
 
+#include "geometry/closest_foot.h"
+
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace drawbead {
@@ -53,9 +56,12 @@ Foot closest_on_outline(const Corners& c, Vec3 x, double tolerance) {
         const Vec3 edge = to - from;
         const double squared_length = squared_norm(edge);
         double t = squared_length > 0 ? std::clamp(dot(x - from, edge) / squared_length, 0.0, 1.0) : 0.0;
-        const double length = std::sqrt(squared_length);
-        if (t * length <= tolerance) t = 0;
-        if ((1 - t) * length <= tolerance) t = 1;
+        // A corner stays one unless its edge has no length.
+        if ((t > 0 && t < 1) || squared_length <= 4 * tolerance * tolerance) {
+            const double length = std::sqrt(squared_length);
+            if (t * length <= tolerance) t = 0;
+            if ((1 - t) * length <= tolerance) t = 1;
+        }
         const Vec3 point = t == 1 ? to : from + t * edge;
         const double squared = squared_norm(x - point);
         if (squared < best_squared) {
@@ -89,8 +95,7 @@ struct Bilinear {
     Vec3 operator()(double xi, double eta) const { return centre + xi * a + eta * b + xi * eta * e; }
 };
 
-Foot triangle_foot(const Corners& c, Vec3 x) {
-    const double tolerance = rounding * magnitude(c, x);
+Foot triangle_foot(const Corners& c, Vec3 x, double tolerance) {
     const Vec3 normal = unit(area_vector(c));
     if (!(squared_norm(normal) > 0) || !inside_outline(c, normal, x, tolerance)) {
         Foot foot = closest_on_outline(c, x, tolerance);
@@ -175,6 +180,18 @@ Roots sign_changes(const std::array<double, N>& p) {
     }
 }
 
+/// Whether the distance can have a stationary point inside a patch: there x - S is perpendicular to both
+/// S_xi = a + eta e and S_eta = b + xi e, and neither product can vanish when its constant term is larger
+/// than all others are together. Most patches that are looked at lie beside the point and end here.
+bool may_be_stationary(const Bilinear& s, Vec3 x) {
+    const Vec3 r = x - s.centre;
+    const double ab = std::abs(dot(s.a, s.b)), ae = std::abs(dot(s.a, s.e)), be = std::abs(dot(s.b, s.e));
+    const double re = std::abs(dot(r, s.e)), ee = dot(s.e, s.e);
+    constexpr double slack = 1 + 1e-9;
+    return std::abs(dot(r, s.a)) <= slack * (dot(s.a, s.a) + ab + 2 * ae + be + re + ee) &&
+           std::abs(dot(r, s.b)) <= slack * (dot(s.b, s.b) + ab + 2 * be + ae + re + ee);
+}
+
 /// Stationary points of the distance inside a patch that is not planar. For each eta the closest point of the
 /// ruling is known; eta itself is then a root of a quintic, and all its roots are found. Returns the closest,
 /// if any.
@@ -222,11 +239,9 @@ bool stationary_foot(const Bilinear& s, Vec3 x, double& best_xi, double& best_et
     return best < std::numeric_limits<double>::infinity();
 }
 
-} // namespace
-
-Foot closest_point(const Corners& c, Vec3 x) {
-    if (is_triangle(c)) return triangle_foot(c, x);
-    const double tolerance = rounding * magnitude(c, x);
+/// Of numbers whose products are numbers.
+Foot foot_of(const Corners& c, Vec3 x, double tolerance) {
+    if (is_triangle(c)) return triangle_foot(c, x, tolerance);
     const Vec3 normal = unit(area_vector(c));
     const Bilinear s(c);
     bool convex = squared_norm(normal) > 0;
@@ -262,6 +277,40 @@ Foot closest_point(const Corners& c, Vec3 x) {
         }
     }
     foot.normal = patch_normal(c, foot.xi, foot.eta);
+    return foot;
+}
+
+Vec3 times_power_of_two(Vec3 a, int exponent) {
+    return {std::ldexp(a.x, exponent), std::ldexp(a.y, exponent), std::ldexp(a.z, exponent)};
+}
+
+/// Products of six lengths would leave the range of numbers.
+bool is_extreme(double size) {
+    return (size < 1e-40 && size > 0) || (size > 1e40 && std::isfinite(size));
+}
+
+} // namespace
+
+Foot closest_foot(const Corners& c, Vec3 x) {
+    const double size = magnitude(c, x);
+    if (!is_triangle(c) && !is_extreme(size) && !may_be_stationary(Bilinear(c), x))
+        return closest_on_outline(c, x, rounding * size);
+    return closest_point(c, x);
+}
+
+Foot closest_point(const Corners& c, Vec3 x) {
+    const double size = magnitude(c, x);
+    const bool extreme = is_extreme(size);
+    if (!extreme) return foot_of(c, x, rounding * size);
+    // Near 1 they do not.
+    const int exponent = std::ilogb(size);
+    Corners scaled;
+    for (std::size_t k = 0; k < 4; ++k)
+        scaled[k] = times_power_of_two(c[k], -exponent);
+    const Vec3 at = times_power_of_two(x, -exponent);
+    Foot foot = foot_of(scaled, at, rounding * magnitude(scaled, at));
+    foot.point = times_power_of_two(foot.point, exponent);
+    foot.distance = std::ldexp(foot.distance, exponent);
     return foot;
 }
 

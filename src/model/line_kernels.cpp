@@ -99,7 +99,7 @@ bool runs_here(Kernel kernel) {
 
 bool is_blank(std::string_view text) {
     for (char c : text)
-        if (c != ' ' && c != '\t' && c != '\r') return false;
+        if (c != ' ' && c != '\t' && c != '\r' && c != '\x1a') return false;
     return true;
 }
 

@@ -1,3 +1,4 @@
+#include "base/parallel.h"
 #include "model/attachments.h"
 #include "model/cards/options.h"
 #include "model/demand.h"
@@ -7,6 +8,8 @@
 #include "model/part_reader.h"
 #include "model/transform.h"
 #include "model/users.h"
+
+#include <algorithm>
 
 namespace drawbead {
 
@@ -68,6 +71,7 @@ private:
         if (with_motion())
             motion_ = targets_ ? target_options(index_, *targets_, model_.drawbeads_)
                                : read_motion_options(deck_, index_, issues_);
+        if (with_motion() && targets_) add_loads(deck_, index_, issues_, motion_);
     }
 
     /// Groups and surfaces that drawbeads use, each once, in the order in which they are first used.
@@ -173,10 +177,15 @@ private:
             for (const NodeGroup& group : model_.groups_)
                 for (const NodeRow node : group.nodes)
                     nodes.insert(node);
-            for (const Surface& surface : model_.surfaces_)
-                for (const Segment& segment : surface.segments)
-                    for (const NodeRow node : segment.n)
-                        if (node != no_node) nodes.insert(node);
+            for (const Surface& surface : model_.surfaces_) {
+                constexpr std::size_t piece = 1 << 16;
+                const std::size_t count = surface.segments.size();
+                parallel_for(threads_, (count + piece - 1) / piece, [&](std::size_t p) {
+                    for (std::size_t i = p * piece; i < std::min(count, (p + 1) * piece); ++i)
+                        for (const NodeRow node : surface.segments[i].n)
+                            if (node != no_node) nodes.insert_shared(node);
+                });
+            }
             model_.motion_ = find_motion(std::move(motion_), resolver, nodes, tables.nodes.size(),
                                          model_.groups_, model_.surfaces_);
         }

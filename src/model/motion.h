@@ -25,7 +25,9 @@ struct MotionCondition {
         velocity,         ///< /IMPVEL: scale · f(t / time_scale)
         displacement,     ///< /IMPDISP, likewise
         initial_velocity, ///< /INIVEL/TRA
+        initial_unread,   ///< another /INIVEL, which is not read: `why`
         rigid_body,       ///< /RBODY: nodes move with `main`
+        load,             ///< /CLOAD: a force on each node, scale · f(t / time_scale)
         asked,            ///< a move that the caller asks for: `function` is the index of its target
         unknown,          ///< acts on the nodes in a way that is not read
     };
@@ -39,7 +41,7 @@ struct MotionCondition {
     Vec3 velocity;          ///< the initial one
     NodeRow main = no_node; ///< of a rigid body
     int64_t sensor = 0;     ///< ignored: the condition counts as always on
-    std::string why;        ///< of `unknown`: what is not read
+    std::string why;        ///< of `unknown` and `initial_unread`: what is not read
 };
 
 /// Nodes that somebody else than the deck moves.

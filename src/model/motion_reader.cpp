@@ -6,6 +6,7 @@
 #include "model/option_reader.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 
 namespace drawbead {
@@ -74,6 +75,16 @@ public:
     MotionReader(const Deck& deck, const OptionIndex& index, IssueLog& issues)
         : deck_(deck), index_(index), issues_(issues), functions_(deck, issues) {}
 
+    MotionOptions read_loads() {
+        const auto blocks = deck_.blocks();
+        for (BlockIndex i = 0; i < blocks.size(); ++i)
+            if (blocks[i].keyword == "RBODY")
+                rigid_body(i);
+            else if (blocks[i].keyword == "CLOAD")
+                load(i);
+        return {functions_.take(), std::move(conditions_), 0};
+    }
+
     MotionOptions read() {
         const auto blocks = deck_.blocks();
         for (BlockIndex i = 0; i < blocks.size(); ++i) {
@@ -87,6 +98,10 @@ public:
                 imposed(i, Condition::Kind::displacement, imposed_displacement_card);
             else if (keyword == "INIVEL/TRA" || keyword == "INIVEL/T+G")
                 initial_velocity(i);
+            else if (keyword == "INIVEL/ROT" || keyword == "INIVEL/AXIS")
+                initial_unread(i);
+            else if (keyword == "CLOAD")
+                load(i);
             else if (keyword == "RBODY")
                 rigid_body(i);
             else
@@ -109,6 +124,29 @@ private:
     static void refuse(Condition& condition, std::string why) {
         condition.kind = Condition::Kind::unknown;
         condition.why = std::move(why);
+    }
+
+    /// 0 stands for 1 in the units of the option.
+    static void take_scales(OptionReader& reader, const Card& card, Dimension of_values,
+                            Condition& condition) {
+        const auto factor_of = [&](std::string_view field, Dimension dimension) {
+            const double value = reader.real(card, field);
+            return value != 0 ? value : reader.factor(dimension);
+        };
+        condition.time_scale = factor_of("Ascale_x", time_dimension);
+        condition.scale = factor_of("Fscale_Y", of_values);
+    }
+
+    /// False: none of X, Y, Z, XX, YY, ZZ.
+    static bool take_direction(std::string_view direction, Condition& condition) {
+        static constexpr std::string_view axes[]{"X", "Y", "Z"}, turns[]{"XX", "YY", "ZZ"};
+        bool known = false;
+        for (std::size_t k = 0; k < 3; ++k) {
+            condition.translation[k] = direction == axes[k];
+            condition.rotation[k] = direction == turns[k];
+            known = known || condition.translation[k] || condition.rotation[k];
+        }
+        return known;
     }
 
     void boundary_condition(BlockIndex block) {
@@ -135,26 +173,14 @@ private:
         if (!card.present) return;
         const Card scale = reader.card(scales);
         Condition& condition = add(block, kind, reader, card).condition;
-        const auto factor_of = [&](std::string_view field, Dimension dimension) {
-            const double value = reader.real(scale, field);
-            return value != 0 ? value : reader.factor(dimension); // 1 in the units of the option
-        };
-        condition.time_scale = factor_of("Ascale_x", time_dimension);
-        condition.scale = factor_of("Fscale_Y", scales.fields[1].dimension);
+        take_scales(reader, scale, scales.fields[1].dimension, condition);
         condition.t_start = reader.real(scale, "Tstart");
         if (const double stop = reader.real(scale, "Tstop"); stop != 0) condition.t_stop = stop;
         condition.sensor = card["sensor_ID"].integer;
         condition.function =
             functions_.index_of(reader.reference(card, "funct_IDT", reader.scope().offsets.general));
         const std::string_view direction = card["Dir"].text;
-        static constexpr std::string_view axes[]{"X", "Y", "Z"}, turns[]{"XX", "YY", "ZZ"};
-        bool known = false;
-        for (std::size_t k = 0; k < 3; ++k) {
-            condition.translation[k] = direction == axes[k];
-            condition.rotation[k] = direction == turns[k];
-            known = known || condition.translation[k] || condition.rotation[k];
-        }
-        if (!known)
+        if (!take_direction(direction, condition))
             refuse(condition, "direction '" + std::string(direction) + "' is not read");
         else if (card["skew_ID"].integer != 0 || card["frame_ID"].integer != 0)
             refuse(condition, "directions of a skew or frame are not read");
@@ -170,6 +196,32 @@ private:
         Condition& condition = add(block, Condition::Kind::initial_velocity, reader, card).condition;
         condition.velocity = {reader.real(card, "Vx"), reader.real(card, "Vy"), reader.real(card, "Vz")};
         if (card["skew_ID"].integer != 0) refuse(condition, "directions of a skew are not read");
+    }
+
+    void initial_unread(BlockIndex block) {
+        OptionReader reader(deck_, block, issues_);
+        const bool about_axis = reader.block().keyword == "INIVEL/AXIS";
+        const Card card = reader.card(about_axis ? initial_axis_card : initial_velocity_card);
+        if (!card.present) return;
+        Condition& condition = add(block, Condition::Kind::initial_unread, reader, card).condition;
+        condition.why = "initial rotations are not read; the first cycle counts as if there were none";
+    }
+
+    void load(BlockIndex block) {
+        OptionReader reader(deck_, block, issues_);
+        const Card card = reader.card(load_card);
+        if (!card.present) return;
+        Condition& condition = add(block, Condition::Kind::load, reader, card).condition;
+        take_scales(reader, card, force_dimension, condition);
+        condition.sensor = card["sensor_ID"].integer;
+        condition.function =
+            functions_.index_of(reader.reference(card, "funct_IDT", reader.scope().offsets.general));
+        take_direction(card["Dir"].text, condition);
+        // As functions of something else than time they are no force that is known.
+        if (card["skew_ID"].integer != 0)
+            condition.why = "directions of a skew are not read";
+        else if (card["Itypfun"].integer > 1)
+            condition.why = "its function is not one of time";
     }
 
     void rigid_body(BlockIndex block) {
@@ -215,6 +267,13 @@ private:
 
 MotionOptions read_motion_options(const Deck& deck, const OptionIndex& index, IssueLog& issues) {
     return MotionReader(deck, index, issues).read();
+}
+
+void add_loads(const Deck& deck, const OptionIndex& index, IssueLog& issues, MotionOptions& options) {
+    MotionOptions loads = MotionReader(deck, index, issues).read_loads();
+    options.functions = std::move(loads.functions);
+    options.conditions.insert(options.conditions.end(), std::make_move_iterator(loads.conditions.begin()),
+                              std::make_move_iterator(loads.conditions.end()));
 }
 
 MotionOptions target_options(const OptionIndex& index, std::span<const MotionTarget> targets,
@@ -293,17 +352,23 @@ DeckMotion find_motion(MotionOptions options, Resolver& resolver, const NodeSet&
         out.conditions.push_back(std::move(one.condition));
         const MotionCondition& condition = out.conditions.back();
         std::size_t held = 0;
+        std::pair<uint32_t, uint32_t> last{0, 0}; // neighbours mostly go from and to the same classes
         const auto act = [&](NodeRow node) {
             uint32_t& at = out.of_node[index(node)];
             if (!out.classes[at].empty() && out.classes[at].back() == number) return;
+            ++held;
+            if (at == last.first && last.second != 0) {
+                at = last.second;
+                return;
+            }
             const auto [next, is_new] =
                 next_class.try_emplace({at, number}, static_cast<uint32_t>(out.classes.size()));
             if (is_new) {
                 out.classes.push_back(out.classes[at]);
                 out.classes.back().push_back(number);
             }
+            last = {at, next->second};
             at = next->second;
-            ++held;
         };
         if (one.member) {
             NodeSet set(node_count);

@@ -30,6 +30,8 @@ MotionOptions read_motion_options(const Deck&, const OptionIndex&, IssueLog&);
 
 /// The same for targets instead of the deck's own conditions.
 MotionOptions target_options(const OptionIndex&, std::span<const MotionTarget>, std::span<const Drawbead>);
+/// Adds what presses the tools: rigid bodies and loads.
+void add_loads(const Deck&, const OptionIndex&, IssueLog&, MotionOptions&);
 
 /// Finds out which conditions act on each of `nodes` and on the main nodes of rigid bodies that hold some.
 DeckMotion find_motion(MotionOptions, Resolver&, const NodeSet& nodes, std::size_t node_count,

@@ -266,8 +266,11 @@ void write_evaluation_text(OutputSink& out, const EvaluationReport& r) {
             ", " + how_many(tool.interfaces.size(), "bead") + ":");
         for (const EvaluatedTool::Sum& sum : tool.sums)
             out.write(" law " + sum.law + ": normal force up to " + peak(sum.normal, r.force_unit) +
-                      ", which its holding force must carry; restraint up to " +
-                      peak(sum.restraint, r.force_unit) + (&sum == &tool.sums.back() ? "" : ";"));
+                      (sum.holding ? ", " + (*sum.holding > 0 ? share(sum.share()) + " of the " : "") +
+                                         with_unit(*sum.holding, r.force_unit) + " that hold it then"
+                                   : ", which its holding force must carry") +
+                      "; restraint up to " + peak(sum.restraint, r.force_unit) +
+                      (&sum == &tool.sums.back() ? "" : ";"));
         out.write('\n');
     }
     write_notes(out, r);
@@ -309,6 +312,7 @@ void write_evaluation_json(OutputSink& out, const EvaluationReport& report, std:
             json.member("law", sum.law);
             member(json, "normal", sum.normal);
             json.member_list("normal_vector", sum.normal_vector);
+            member(json, "holding", sum.holding);
             member(json, "restraint", sum.restraint);
             json.end();
         }

@@ -142,8 +142,8 @@ void write_deck(JsonWriter& json, const FixReport& report) {
             json.begin_object(JsonWriter::Layout::line);
             json.member("offset", e.offset);
             json.member("removed", e.removed);
-            json.member("line", e.line);
-            json.member("column", e.column);
+            json.member("line", e.where.line);
+            json.member("column", e.where.column);
             json.member("text", e.text);
             json.end();
         }

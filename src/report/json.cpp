@@ -1,35 +1,12 @@
 #include "report/json.h"
 
+#include "report/utf8.h"
+
 #include <cassert>
 #include <charconv>
 #include <cmath>
 
 namespace drawbead {
-
-namespace {
-
-/// Length of the UTF-8 sequence that starts here, 0 when there is none: no overlong forms, no surrogates,
-/// nothing above U+10FFFF.
-std::size_t sequence_length(std::string_view text) {
-    const auto at = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
-    const auto continues = [&](std::size_t i) { return (at(i) & 0xc0u) == 0x80u; };
-    const unsigned lead = at(0), second = at(1);
-    if (lead < 0x80) return 1;
-    if (lead >= 0xc2 && lead <= 0xdf) return continues(1) ? 2 : 0;
-    if (lead >= 0xe0 && lead <= 0xef) {
-        if (lead == 0xe0 && second < 0xa0) return 0;
-        if (lead == 0xed && second > 0x9f) return 0;
-        return continues(1) && continues(2) ? 3 : 0;
-    }
-    if (lead >= 0xf0 && lead <= 0xf4) {
-        if (lead == 0xf0 && second < 0x90) return 0;
-        if (lead == 0xf4 && second > 0x8f) return 0;
-        return continues(1) && continues(2) && continues(3) ? 4 : 0;
-    }
-    return 0;
-}
-
-} // namespace
 
 std::string json_string(std::string_view text) {
     std::string out = "\"";
@@ -100,6 +77,12 @@ void JsonWriter::key(std::string_view name) {
     out_.write(json_string(name));
     out_.write(": ");
     after_key_ = true;
+}
+
+std::string JsonWriter::noted(std::string_view text) {
+    std::string quoted = json_string(text);
+    if (damaged_ && quoted.find("\xef\xbf\xbd") != std::string::npos) damaged_->emplace_back(text);
+    return quoted;
 }
 
 void JsonWriter::raw(std::string_view text) {

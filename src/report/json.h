@@ -28,7 +28,7 @@ public:
     void end();
     void key(std::string_view name);
 
-    void value(std::string_view text) { raw(json_string(text)); }
+    void value(std::string_view text) { raw(noted(text)); }
     void value(const char* text) { value(std::string_view(text)); }
     void value(bool truth) { raw(truth ? "true" : "false"); }
     void value(double number) { raw(json_number(number)); }
@@ -37,6 +37,10 @@ public:
         raw(std::to_string(number));
     }
     void null() { raw("null"); }
+
+    /// From now on every text in whose JSON U+FFFD stands is appended to `list` as it is, so that its bytes
+    /// are not lost; nullptr: no longer.
+    void note_damaged(std::vector<std::string>* list) { damaged_ = list; }
 
     template <class T>
     void member(std::string_view name, const T& v) {
@@ -61,11 +65,13 @@ private:
     };
     void begin(char open, Layout layout);
     void raw(std::string_view text);
+    std::string noted(std::string_view text);
     void separate();
     void new_line();
 
     OutputSink& out_;
     std::vector<Level> levels_;
+    std::vector<std::string>* damaged_ = nullptr;
     bool after_key_ = false;
 };
 

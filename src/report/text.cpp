@@ -2,6 +2,7 @@
 
 #include "report/writer.h"
 
+#include <algorithm>
 #include <charconv>
 
 namespace drawbead {
@@ -74,6 +75,21 @@ std::string finding_line(const DeckResult& deck, const Finding& finding, const P
     return text;
 }
 
+std::string plain_path(std::string_view path) {
+    std::string out;
+    for (std::size_t i = 0; i < path.size();) {
+        const std::size_t end = std::min(path.find('/', i), path.size());
+        const std::string_view part = path.substr(i, end - i);
+        const bool nothing = part == "." || (part.empty() && i > 0);
+        if (!nothing) {
+            out += part;
+            if (end < path.size()) out += '/';
+        }
+        i = end + 1;
+    }
+    return out.empty() ? std::string(path) : out;
+}
+
 std::string how_many(uint64_t count, std::string_view noun) {
     std::string text = std::to_string(count) + ' ';
     text += noun;
@@ -81,7 +97,7 @@ std::string how_many(uint64_t count, std::string_view noun) {
     return text;
 }
 
-std::string summary_sentence(const Summary& summary) {
+std::string counts_sentence(const Summary& summary) {
     std::string found;
     const auto add = [&](uint64_t count, std::string_view noun, std::string_view end) {
         if (count == 0) return;
@@ -95,12 +111,22 @@ std::string summary_sentence(const Summary& summary) {
     if (found.empty() && summary.failed < summary.decks) found = "no findings";
     add(summary.failed, "deck", " not read");
     if (found.empty()) found = "nothing to check";
+    std::string besides;
+    if (summary.known > 0) besides = std::to_string(summary.known) + " known";
+    if (summary.suppressed > 0)
+        besides += (besides.empty() ? "" : ", ") + std::to_string(summary.suppressed) + " suppressed";
+    if (!besides.empty()) found += " (" + besides + ')';
+    if (summary.interrupted)
+        found +=
+            ", interrupted after " + std::to_string(summary.decks) + " of " + std::to_string(summary.asked);
+    return how_many(summary.decks, "deck") + ", " + how_many(summary.interfaces, "interface") + ": " + found;
+}
 
+std::string summary_sentence(const Summary& summary) {
     char seconds[32];
     const auto end =
         std::to_chars(seconds, seconds + sizeof seconds, summary.seconds, std::chars_format::fixed, 2);
-    return how_many(summary.decks, "deck") + ", " + how_many(summary.interfaces, "interface") + ": " + found +
-           " in " + std::string(seconds, end.ptr) + " s";
+    return counts_sentence(summary) + " in " + std::string(seconds, end.ptr) + " s";
 }
 
 } // namespace drawbead

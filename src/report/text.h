@@ -25,6 +25,9 @@ std::string place_text(const ResolvedPlace&);
 /// place stands at the deck.
 std::string finding_line(const DeckResult&, const Finding&, const Palette&);
 
+/// The path without what does not matter: "./" and doubled slashes. Nothing is looked up.
+std::string plain_path(std::string_view path);
+
 /// "1 deck", "2 decks".
 std::string how_many(uint64_t count, std::string_view noun);
 

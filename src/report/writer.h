@@ -4,6 +4,8 @@
 #include "report/output.h"
 
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -17,6 +19,14 @@ public:
     virtual void end(const Summary&) = 0;
 };
 
+/// What the writers of a run share. `rules` and what its members point at must outlive the writer.
+struct WriterOptions {
+    std::string_view tool_version;
+    std::span<const RuleInfo> rules{};                 ///< the catalogue, by code
+    std::optional<Severity> fail_on = Severity::error; ///< least severity that fails a run; empty: none
+    std::optional<Shard> shard{};                      ///< when the run is a part of one
+};
+
 /// Text, per finding: `path:line:column: severity: CODE name: message [fix: title]`, the source line with a
 /// caret, further places, notes, help, an empty line. Decks that could not be read are left to the caller:
 /// they are errors, not results. Control bytes of deck text never reach the terminal.
@@ -24,9 +34,25 @@ std::unique_ptr<ReportWriter> full_writer(OutputSink&, bool colour);
 /// Text, the first of these lines only: what editors and scripts read.
 std::unique_ptr<ReportWriter> concise_writer(OutputSink&, bool colour);
 /// JSON by schemas/report.schema.json. `Summary::seconds` is left out: the same deck gives the same bytes.
-std::unique_ptr<ReportWriter> json_writer(OutputSink&, std::string_view tool_version);
+std::unique_ptr<ReportWriter> json_writer(OutputSink&, const WriterOptions&);
+/// JSON by schemas/lines.schema.json, one object a line: the run, findings, decks, the summary.
+std::unique_ptr<ReportWriter> lines_writer(OutputSink&, const WriterOptions&);
+/// One row per finding and per deck that could not be read, in UTF-8, quoted where needed (RFC 4180, but with
+/// "\n" at the end of a row).
+std::unique_ptr<ReportWriter> csv_writer(OutputSink&);
+/// SARIF 2.1.0 with the pages of all rules; columns in Unicode code points.
+std::unique_ptr<ReportWriter> sarif_writer(OutputSink&, const WriterOptions&);
+/// JUnit XML: a deck is a suite, a rule that found something in it is a case, which fails when a finding is
+/// as severe as `fail_on`.
+std::unique_ptr<ReportWriter> junit_writer(OutputSink&, const WriterOptions&);
+/// Workflow commands of GitHub: the worst ten findings and decks, then a summary.
+std::unique_ptr<ReportWriter> github_writer(OutputSink&);
+/// GitLab's Code Quality report.
+std::unique_ptr<ReportWriter> gitlab_writer(OutputSink&);
 
 /// "3 decks, 7 interfaces: 2 errors, 1 warning in 0.12 s", without a line end.
 std::string summary_sentence(const Summary&);
+/// The same without the time.
+std::string counts_sentence(const Summary&);
 
 } // namespace drawbead

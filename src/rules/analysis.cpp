@@ -2,12 +2,14 @@
 
 #include "base/parallel.h"
 #include "geometry/segment_shape.h"
+#include "rules/limits.h"
 #include "rules/srf/near_surface.h"
 #include "scene/deck_contact.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace drawbead {
@@ -36,26 +38,57 @@ BeadAnalysis analyse_line(const Model& model, const Drawbead& bead) {
     return a;
 }
 
-void check_list(BeadAnalysis& a) {
+LineLimits line_limits(const Limits& limits) {
+    LineLimits out;
+    out.gap_ratio = limits.LIN001_ratio;
+    out.gap_elements = limits.LIN001_elements;
+    out.coincident = limits.LIN003_coincident_steps;
+    out.fold_degrees = limits.LIN004_turn_degrees;
+    out.corner_degrees = limits.LIN005_turn_degrees;
+    out.closed_steps = limits.LIN006_end_steps;
+    out.over_element = limits.LIN009_elements;
+    out.fine_element = limits.LIN010_elements;
+    out.uneven_ratio = limits.LIN011_ratio;
+    return out;
+}
+
+SideLimits limits_of_sides(const Limits& limits) {
+    return {.reach = limits.SRF001_reach_elements,
+            .in_surface = limits.SRF004_in_surface_elements,
+            .minority = limits.SRF001_minority_share};
+}
+
+void check_list(BeadAnalysis& a, const LineLimits& limits) {
     std::vector<uint32_t> node;
     std::vector<double> element;
     for (const NodeRow row : a.group->nodes)
         node.push_back(index(row));
     for (const BeadHit& h : a.hit)
         element.push_back(h.element);
-    LineLimits limits;
-    limits.over_element = 1.001; // a step as long as the element is not longer, whatever the rounding
     a.check = check_line(a.x, node, element, limits);
 }
 
-constexpr SideLimits side_limits{};
+/// Of how many nodes one is enough to see whether there is another layer: of a bead whose nodes are closer
+/// than the elements under it, one per four elements, but 8 of them at least; of a long one, 96.
+std::size_t layer_step(const BeadAnalysis& a) {
+    constexpr std::size_t most = 96, least = 8;
+    constexpr double elements = 4;
+    double element = std::numeric_limits<double>::infinity();
+    for (const BeadHit& h : a.hit)
+        element = std::min(element, h.element);
+    const std::size_t count = a.hit.size();
+    const double hop = count > 1 ? a.line.length / static_cast<double>(count - 1) : 0;
+    const double nodes = hop > 0 ? std::min(elements * element / hop, 1e6) : 1;
+    const std::size_t close = std::min(static_cast<std::size_t>(nodes), count / least);
+    return std::max({std::size_t{1}, count / most, close});
+}
 
 /// Another layer of the surface as far from bead nodes as the closest one, or little farther. A long bead is
 /// looked at every few nodes, and closely only when one of these has found something: layers go on.
-void find_other_layers(const NearMesh& mesh, const ClosestSegment& closest, BeadAnalysis& a,
-                       unsigned threads) {
-    constexpr double ratio = 1.5, elements = 2; // as ContactOptions
-    constexpr std::size_t looked_at = 96, chunk = 16;
+void find_other_layers(const NearMesh& mesh, const ClosestSegment& closest, const Limits& limits,
+                       BeadAnalysis& a, unsigned threads) {
+    const double ratio = limits.SRF010_ratio, elements = limits.SRF010_elements;
+    constexpr std::size_t chunk = 16;
     const auto look = [&](std::size_t i) {
         BeadHit& h = a.hit[i];
         const double distance = h.closest.foot.distance;
@@ -72,7 +105,7 @@ void find_other_layers(const NearMesh& mesh, const ClosestSegment& closest, Bead
                 look(k * step);
         });
     };
-    const std::size_t step = std::max<std::size_t>(1, a.hit.size() / looked_at);
+    const std::size_t step = layer_step(a);
     look_at_every(step);
     if (step > 1 &&
         std::any_of(a.hit.begin(), a.hit.end(), [](const BeadHit& h) { return h.other_layer != no_segment; }))
@@ -87,10 +120,10 @@ void take(BeadHit& h, const NearMesh& mesh, const ClosestHit& closest) {
 
 /// The hits that the contact has found; whether the part of the surface that it has made is large enough for
 /// the rules too.
-bool take_hits(const NearMesh& mesh, const std::vector<InterfaceContact>& contact, bool sides,
+bool take_hits(const NearMesh& mesh, const std::vector<InterfaceContact>& contact, double side_reach,
                const std::vector<BeadAnalysis*>& beads, unsigned threads) {
     const auto complete = [&](Vec3 x, const BeadHit& h) {
-        const double r = h.closest.foot.distance + (sides ? side_limits.reach * h.element : 0);
+        const double r = h.closest.foot.distance + side_reach * h.element;
         return h.closest.exact && mesh.covers(x - Vec3{r, r, r}, x + Vec3{r, r, r});
     };
     for (BeadAnalysis* a : beads) {
@@ -113,19 +146,33 @@ bool take_hits(const NearMesh& mesh, const std::vector<InterfaceContact>& contac
     return true;
 }
 
+/// How many elements on either side of the beads of a surface are judged: some, or as far as the beads
+/// travel.
+double side_reach_of(const Analysis& all, const std::vector<BeadAnalysis*>& beads, double least) {
+    constexpr double most = 30; // the part of the surface grows with it
+    double reach = least;
+    for (const BeadAnalysis* a : beads) {
+        const auto b = static_cast<std::size_t>(a - all.beads.data());
+        if (b >= all.path.size() || !all.path[b].known()) continue;
+        for (const NodePath& node : all.path[b].node)
+            if (node.element > 0) reach = std::max(reach, std::min(all.path[b].travel / node.element, most));
+    }
+    return reach;
+}
+
 /// Exact closest segments of all beads of a surface, and the part of the surface around them: from the
 /// contact where it is there and large enough.
 void find_closest(const Model& model, std::size_t number, const std::vector<BeadAnalysis*>& beads,
-                  const DeckContact& contact, SurfaceAnalysis& out, bool sides, bool layers,
-                  unsigned threads) {
+                  const DeckContact& contact, const Limits& limits, SurfaceAnalysis& out, double side_reach,
+                  bool layers, unsigned threads) {
     if (!contact.surfaces.empty()) {
         const NearMesh& mesh = contact.surfaces[number].mesh;
-        if (!mesh.segment.empty() && take_hits(mesh, contact.interfaces, sides, beads, threads)) {
+        if (!mesh.segment.empty() && take_hits(mesh, contact.interfaces, side_reach, beads, threads)) {
             out.near = mesh;
             if (!layers) return;
             const ClosestSegment closest(mesh);
             for (BeadAnalysis* a : beads)
-                find_other_layers(mesh, closest, *a, threads);
+                find_other_layers(mesh, closest, limits, *a, threads);
             return;
         }
     }
@@ -133,7 +180,7 @@ void find_closest(const Model& model, std::size_t number, const std::vector<Bead
     for (const BeadAnalysis* a : beads)
         points.insert(points.end(), a->x.begin(), a->x.end());
     const SegmentMesh mesh = segment_mesh(model, model.surfaces()[number]);
-    const double elements = sides ? side_limits.reach + 1 : 0;
+    const double elements = side_reach > 0 ? side_reach + 1 : 0;
     double least_margin = 0;
     while (true) {
         NearSurface near = near_surface(mesh, points, elements, least_margin, threads);
@@ -149,14 +196,13 @@ void find_closest(const Model& model, std::size_t number, const std::vector<Bead
                 for (std::size_t i = piece * chunk; i < end; ++i)
                     take(a->hit[i], near.mesh, closest.find(a->x[i]));
             });
-            for (std::size_t i = 0; sides && i < a->x.size(); ++i)
-                if (const double reach = side_limits.reach * a->hit[i].element;
-                    reach > near.margin[first + i])
+            for (std::size_t i = 0; side_reach > 0 && i < a->x.size(); ++i)
+                if (const double reach = side_reach * a->hit[i].element; reach > near.margin[first + i])
                     needed = std::max(needed, reach);
             first += a->x.size();
         }
         for (BeadAnalysis* a : beads)
-            if (layers && needed == 0) find_other_layers(near.mesh, closest, *a, threads);
+            if (layers && needed == 0) find_other_layers(near.mesh, closest, limits, *a, threads);
         out.near = std::move(near.mesh);
         if (needed == 0) return;
         least_margin = needed;
@@ -182,7 +228,8 @@ std::vector<std::pair<uint32_t, uint32_t>> hops_of(const BeadAnalysis& a) {
     return hops;
 }
 
-void judge(const Surface& surface, const NearMesh& near, BeadAnalysis& a) {
+void judge(const Surface& surface, const NearMesh& near, SideLimits limits, double side_reach,
+           BeadAnalysis& a) {
     if (a.hit.empty() || near.segment.empty()) return;
     constexpr double beside = 0.05; // of the segment, as for the manual law
     std::vector<BeadFoot> feet;
@@ -196,13 +243,16 @@ void judge(const Surface& surface, const NearMesh& near, BeadAnalysis& a) {
     std::vector<uint8_t> solid_backed(near.segment.size());
     for (std::size_t i = 0; i < near.segment.size(); ++i)
         solid_backed[i] = surface.segments[near.segment_index[i]].solid_backed;
-    a.side = judge_side(near, feet, hops_of(a), solid_backed, side_limits);
+    limits.reach = side_reach;
+    a.side = judge_side(near, feet, hops_of(a), solid_backed, limits);
 }
 
 } // namespace
 
-Analysis analyse(const Deck&, const Model& model, Needs needs, unsigned threads) {
+Analysis analyse(const Deck&, const Model& model, const Limits& limits, Needs needs, unsigned threads,
+                 RunFacts run) {
     Analysis out;
+    out.run = std::move(run);
     out.beads.reserve(model.drawbeads().size());
     out.surfaces.resize(model.surfaces().size());
     const bool lines = has(needs, analysis_lines);
@@ -210,32 +260,40 @@ Analysis analyse(const Deck&, const Model& model, Needs needs, unsigned threads)
         out.beads.push_back(analyse_line(model, bead));
 
     if (has(needs, analysis_contact)) {
-        const double around = has(needs, analysis_sides) ? side_limits.reach : 0;
+        const double around = has(needs, analysis_sides) ? limits.SRF001_reach_elements : 0;
         out.contact = contact_of(model, {.layer_ratio = 0, .around_elements = around, .threads = threads});
         for (const InterfaceContact& one : out.contact.interfaces)
             out.starter.push_back(one.starter);
+        if (has(needs, analysis_motion))
+            out.path = bead_paths(model, out.contact, {out.run.prescribed, out.run.end(), threads});
     } else if (has(needs, Needs::coordinates) && has(needs, Needs::blank_elements)) {
         out.starter = starter_of(model, threads);
     }
 
+    std::vector<double> side_reach(out.surfaces.size(), 0.0);
     for (std::size_t s = 0; s < out.surfaces.size(); ++s) {
         const Surface& surface = model.surfaces()[s];
         std::vector<BeadAnalysis*> beads;
         for (BeadAnalysis& a : out.beads)
             if (a.surface == &surface && !a.x.empty()) beads.push_back(&a);
+        if (has(needs, analysis_sides))
+            side_reach[s] = side_reach_of(out, beads, limits.SRF001_reach_elements);
         if (has(needs, analysis_closest))
-            find_closest(model, s, beads, out.contact, out.surfaces[s], has(needs, analysis_sides),
+            find_closest(model, s, beads, out.contact, limits, out.surfaces[s], side_reach[s],
                          has(needs, analysis_layers), threads);
         if (has(needs, analysis_clashes))
             out.surfaces[s].clashes = edge_clashes(surface.segments.span(), model.nodes().size(), threads);
     }
     if (!lines) return out;
+    const LineLimits list_limits = line_limits(limits);
+    const SideLimits side_limits = limits_of_sides(limits);
     parallel_for(threads, out.beads.size(), [&](std::size_t i) {
         BeadAnalysis& a = out.beads[i];
         if (a.x.empty()) return;
-        check_list(a);
+        check_list(a, list_limits);
         if (has(needs, analysis_sides) && a.surface)
-            judge(*a.surface, out.surfaces[*a.bead->surface].near, a);
+            judge(*a.surface, out.surfaces[*a.bead->surface].near, side_limits, side_reach[*a.bead->surface],
+                  a);
     });
     return out;
 }

@@ -2,10 +2,12 @@
 
 #include "base/parallel.h"
 #include "rules/analysis.h"
+#include "rules/planned_changes.h"
 #include "rules/text.h"
 #include "scene/starter.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <tuple>
 #include <unordered_map>
@@ -28,12 +30,22 @@ int closest(const std::vector<std::string>& entries, const RuleInfo& info) {
     return best;
 }
 
+/// What the user wants instead of the rule's own severity.
+std::optional<Severity> wanted_severity(const std::map<std::string, Severity>& all, const RuleInfo& info) {
+    std::optional<Severity> wanted;
+    int best = 0;
+    for (const auto& [word, severity] : all)
+        if (const int close = closeness(word, info); close > best) best = close, wanted = severity;
+    return wanted;
+}
+
 /// A finding with what it is sorted by: the order in which files are read, then where it stands.
 struct Sorted {
     uint32_t file;
     uint64_t line;
     uint32_t column;
     Finding finding;
+    bool suppressed = false;
 
     auto key() const { return std::tie(file, line, column, finding.code, finding.message); }
 };
@@ -69,6 +81,20 @@ public:
     void add(Draft draft) override { drafts.push_back(std::move(draft)); }
 
     std::vector<Draft> drafts;
+};
+
+/// Adds the time since the last call to a sum.
+class Laps {
+public:
+    void add_to(std::atomic<uint64_t>& sum) {
+        const Clock::time_point now = Clock::now();
+        sum += static_cast<uint64_t>(std::chrono::nanoseconds(now - last_).count());
+        last_ = now;
+    }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point last_ = Clock::now();
 };
 
 double polyline_length(const Model& model, const NodeGroup& group) {
@@ -124,6 +150,16 @@ DeckInfo describe(const Deck& deck, const Model& model) {
     return info;
 }
 
+/// An error at the first target of a scene that the deck does not have.
+Result<void> targets_exist(const SceneMotion& scene, const Model& model) {
+    const auto& held = model.motion().target_nodes;
+    for (std::size_t i = 0; i < held.size(); ++i)
+        if (!held[i])
+            return Error{std::to_string(scene.targets[i].id) + " does not exist in the deck", scene.path,
+                         scene.places[i].line, scene.places[i].column, ""};
+    return {};
+}
+
 } // namespace
 
 ResolvedPlace resolve(const Deck& deck, const Span& span) {
@@ -141,6 +177,14 @@ ResolvedPlace resolve(const Deck& deck, const Span& span) {
     const uint64_t end = std::min<uint64_t>(at.column + (span.end > begin ? span.end - begin : 0), past_line);
     place.end_column = std::max(static_cast<uint32_t>(end), at.column + 1);
     place.snippet = printable(line.substr(0, longest_snippet));
+    const auto characters = [&](uint32_t column) {
+        const std::string_view before = line.substr(0, column - 1);
+        return static_cast<uint32_t>(column - before.size() + character_count(before));
+    };
+    if (const uint32_t column = characters(place.column); column != place.column)
+        place.character_column = column;
+    if (const uint32_t column = characters(place.end_column); column != place.end_column)
+        place.end_character_column = column;
     return place;
 }
 
@@ -170,10 +214,13 @@ std::optional<std::string> Selection::unknown() const {
     return std::nullopt;
 }
 
-Result<std::unique_ptr<CheckedDeck>> read_and_check(const std::string& path, FileReader& reader,
-                                                    const ReadOptions& read_options,
-                                                    std::span<const Rule* const> rules, Needs more,
-                                                    unsigned threads) {
+Result<std::unique_ptr<CheckedDeck>>
+read_and_check(const std::string& path, FileReader& reader, const ReadOptions& read_options,
+               std::span<const Rule* const> rules, const Limits& limits, Needs more, unsigned threads,
+               const std::optional<SceneMotion>& scene, CheckTimes* times) {
+    CheckTimes untold(times ? 0 : registry().size());
+    CheckTimes& spent = times ? *times : untold;
+    Laps laps;
     Result<Deck> read = Deck::read(path, reader, read_options);
     if (!read) return read.error();
     Needs needs = Needs::counts | more;
@@ -181,25 +228,64 @@ Result<std::unique_ptr<CheckedDeck>> read_and_check(const std::string& path, Fil
         needs = needs | rule->needs;
     auto checked = std::make_unique<CheckedDeck>();
     checked->deck = std::make_unique<Deck>(std::move(*read));
-    checked->model = Model::build(*checked->deck, needs, threads);
-    checked->analysis = analyse(*checked->deck, checked->model, needs, threads);
+    RunFacts run;
+    if (has(needs, analysis_run)) run.engine = read_engine_deck(path, reader);
+    if (scene) {
+        run.prescribed = scene->prescribed;
+        run.scene_end = scene->end;
+    }
+    laps.add_to(spent.reading);
+    checked->model = scene && !scene->prescribed.by_deck
+                         ? Model::build(*checked->deck, needs, threads, scene->targets)
+                         : Model::build(*checked->deck, needs, threads);
+    if (scene && !scene->prescribed.by_deck)
+        if (auto all = targets_exist(*scene, checked->model); !all) return all.error();
+    laps.add_to(spent.model);
+    checked->limits = limits;
+    checked->analysis = analyse(*checked->deck, checked->model, limits, needs, threads, std::move(run));
+    laps.add_to(spent.analysis);
 
+    // Suppressions are judged by what all other rules have found.
+    const auto judges = [&](std::size_t i) { return rules[i]->info.family() == "SUP"; };
+    checked->suppressions = read_suppressions(*checked->deck, checked->model);
     std::vector<Collector> by_rule(rules.size());
-    parallel_for(threads, rules.size(),
-                 [&](std::size_t i) { rules[i]->check(checked->context(), by_rule[i]); });
+    parallel_for(threads, rules.size(), [&](std::size_t i) {
+        if (judges(i)) return;
+        Laps mine;
+        rules[i]->check(checked->context(), by_rule[i]);
+        mine.add_to(spent.by_rule[static_cast<std::size_t>(rules[i] - registry().data())]);
+    });
+    std::vector<std::vector<bool>> suppressed(rules.size());
     for (std::size_t i = 0; i < rules.size(); ++i)
-        for (Draft& draft : by_rule[i].drafts)
-            checked->drafts.push_back({rules[i], std::move(draft)});
+        for (const Draft& draft : by_rule[i].drafts)
+            suppressed[i].push_back(is_suppressed(checked->suppressions, *rules[i], draft));
+    judge_suppressions(checked->suppressions, rules);
+    for (std::size_t i = 0; i < rules.size(); ++i) {
+        if (judges(i)) rules[i]->check(checked->context(), by_rule[i]);
+        for (std::size_t k = 0; k < by_rule[i].drafts.size(); ++k)
+            checked->drafts.push_back(
+                {rules[i], std::move(by_rule[i].drafts[k]), !judges(i) && suppressed[i][k]});
+    }
     return checked;
 }
 
-DeckResult result_of(const CheckedDeck& checked) {
+DeckResult result_of(const CheckedDeck& checked, const std::map<std::string, Severity>& severity,
+                     bool with_changes) {
     const Deck& deck = *checked.deck;
     const Model& model = checked.model;
     const Analysis& analysis = checked.analysis;
     std::vector<Sorted> all;
-    for (const RuleDraft& one : checked.drafts)
+    std::optional<ChangePlanner> planner;
+    for (const RuleDraft& one : checked.drafts) {
         all.push_back(finding_of(deck, *one.rule, one.draft));
+        all.back().suppressed = one.suppressed;
+        if (const auto wanted = wanted_severity(severity, one.rule->info))
+            all.back().finding.severity = *wanted;
+        std::vector<FixOffer>& offers = all.back().finding.fixes;
+        if (!with_changes || offers.empty() || one.suppressed) continue;
+        if (!planner) planner.emplace(checked);
+        planner->add_changes(one, offers);
+    }
     std::stable_sort(all.begin(), all.end(),
                      [](const Sorted& a, const Sorted& b) { return a.key() < b.key(); });
     // A file that is included twice says the same thing at the same place twice.
@@ -215,8 +301,12 @@ DeckResult result_of(const CheckedDeck& checked) {
     result.path = deck.path();
     result.info = describe(deck, model);
     if (!analysis.starter.empty()) result.starter = starter_messages(model, analysis.starter);
-    for (Sorted& one : all)
-        result.findings.push_back(std::move(one.finding));
+    for (Sorted& one : all) {
+        if (one.suppressed)
+            ++result.suppressed;
+        else
+            result.findings.push_back(std::move(one.finding));
+    }
     return result;
 }
 
@@ -225,8 +315,14 @@ DeckResult check_deck(const std::string& path, FileReader& reader, const ReadOpt
     std::vector<const Rule*> rules;
     for (const Rule& rule : registry())
         if (options.selection(rule.info)) rules.push_back(&rule);
-    const auto checked = read_and_check(path, reader, read_options, rules, Needs::none, options.threads);
-    return checked ? result_of(**checked) : unreadable_deck(path, checked.error());
+    Needs more = Needs::none;
+    if (options.with_changes)
+        for (const Rule* rule : rules)
+            more = more | rule->fix_needs;
+    const auto checked = read_and_check(path, reader, read_options, rules, options.limits, more,
+                                        options.threads, options.scene, options.times);
+    return checked ? result_of(**checked, options.severity, options.with_changes)
+                   : unreadable_deck(path, checked.error());
 }
 
 DeckResult describe_deck(const std::string& path, FileReader& reader, const ReadOptions& options) {

@@ -1,11 +1,13 @@
 #include "rules/fix.h"
 
+#include "rules/planned_changes.h"
 #include "rules/support.h"
 #include "rules/text.h"
 
 #include <algorithm>
 #include <array>
 #include <set>
+#include <utility>
 
 namespace drawbead {
 
@@ -207,26 +209,32 @@ public:
         : path_(path), disk_(disk), reading_(reading), options_(options) {
         for (const Rule& rule : registry()) {
             rules_.push_back(&rule);
-            if (rule.fix && options.selection(rule.info)) needs_ = needs_ | rule.fix_needs;
+            if (rule.fix && (options.with_changes || options.selection(rule.info)))
+                needs_ = needs_ | rule.fix_needs;
         }
     }
 
     FixOutcome run() {
         FixOutcome outcome;
-        auto read = read_and_check(path_, disk_, reading_, rules_, needs_, options_.threads);
+        auto read = read_and_check(path_, disk_, reading_, rules_, options_.limits, needs_, options_.threads);
         if (!read) {
             outcome.before = unreadable_deck(path_, read.error());
             return outcome;
         }
         State state{std::move(*read), {}, {}};
         outcome.original = state.checked;
-        outcome.before = result_of(*state.checked);
+        outcome.before = said_of(*state.checked, options_.with_changes);
         Interfaces interfaces;
         interfaces.take(*state.checked, outcome.before, false);
         bool alone = false;
         while (outcome.rounds < options_.most_rounds) {
             std::vector<Planned> plan = plan_round(*state.checked, alone, outcome.declined);
-            if (plan.empty()) break;
+            if (plan.empty()) {
+                // What did not hold may hold now that other things are repaired.
+                if (!std::exchange(dropped_too_early_, false)) break;
+                dropped_.clear();
+                continue;
+            }
             ++outcome.rounds;
             EditList edits;
             for (const Planned& one : plan)
@@ -239,6 +247,7 @@ public:
                     outcome.applied.push_back(std::move(one.fix));
                 state = std::move(next);
                 alone = false;
+                dropped_too_early_ = !dropped_.empty();
                 continue;
             }
             alone = plan.size() > 1;
@@ -246,7 +255,7 @@ public:
             if (!read_again(state, outcome)) break;
         }
         outcome.result = state.checked;
-        outcome.after = result_of(*state.checked);
+        outcome.after = said_of(*state.checked, false);
         take_files(state, outcome);
         interfaces.take(*state.checked, outcome.after, true);
         outcome.force_unit = unit_name(state.checked->deck->work_units(), force_dimension);
@@ -256,6 +265,15 @@ public:
     }
 
 private:
+    DeckResult said_of(const CheckedDeck& checked, bool with_changes) const {
+        DeckResult result = result_of(checked, options_.severity, with_changes);
+        std::erase_if(result.findings, [&](const Finding& finding) {
+            const RuleInfo& info = find_rule(finding.code)->info;
+            return !options_.counted(info) && !options_.selection(info);
+        });
+        return result;
+    }
+
     /// The fixes of the next round; `alone`: only one. What cannot be fixed goes to `declined`, which then
     /// describes this round.
     std::vector<Planned> plan_round(const CheckedDeck& checked, bool alone,
@@ -264,7 +282,8 @@ private:
         declined.clear();
         std::vector<const RuleDraft*> drafts;
         for (const RuleDraft& one : checked.drafts)
-            if (one.rule->fix && options_.selection(one.rule->info)) drafts.push_back(&one);
+            if (one.rule->fix && !one.suppressed && options_.selection(one.rule->info))
+                drafts.push_back(&one);
         if (drafts.empty()) return plan;
         std::stable_sort(drafts.begin(), drafts.end(), [](const RuleDraft* a, const RuleDraft* b) {
             return stage_of(a->rule->info) < stage_of(b->rule->info);
@@ -349,9 +368,15 @@ private:
         // What is asked of the deck before, then its memory goes to the deck after.
         CheckedDeck& before = *state.checked;
         const Errors errors(before);
+        std::map<Subject, std::ptrdiff_t> left; // several interfaces may have one id, and one fix each
+        for (const RuleDraft& one : before.drafts)
+            ++left[subject_of(one)];
+        for (const Planned& one : plan)
+            --left[one.subject];
         before.forget();
         EditedReader reader(disk_, *before.deck, edits, options_.threads);
-        auto read = read_and_check(path_, reader, reading_, rules_, needs_, options_.threads);
+        auto read =
+            read_and_check(path_, reader, reading_, rules_, options_.limits, needs_, options_.threads);
         if (!read) return "the result could not be read: " + read.error().message;
         const CheckedDeck& after = **read;
         if (after.deck->files().size() != before.deck->files().size())
@@ -359,11 +384,10 @@ private:
         for (std::size_t i = 0; i < after.deck->files().size(); ++i)
             if (after.deck->files()[i]->path() != before.deck->files()[i]->path())
                 return "the result would read its files in another order";
-        std::set<Subject> found;
         for (const RuleDraft& one : after.drafts)
-            found.insert(subject_of(one));
+            --left[subject_of(one)];
         for (const Planned& one : plan)
-            if (found.count(one.subject) != 0) return "the finding was still there after the repair";
+            if (left[one.subject] < 0) return "the finding was still there after the repair";
         if (std::string error = errors.first_new(after, plan); !error.empty()) return error;
         next.texts = reader.texts();
         for (std::size_t i = 0; i < next.texts.size(); ++i)
@@ -376,7 +400,8 @@ private:
     /// The deck before a round that came to nothing.
     bool read_again(State& state, FixOutcome& outcome) {
         EditedReader reader(disk_, *outcome.original->deck, state.edits, options_.threads);
-        auto read = read_and_check(path_, reader, reading_, rules_, needs_, options_.threads);
+        auto read =
+            read_and_check(path_, reader, reading_, rules_, options_.limits, needs_, options_.threads);
         if (!read) return false;
         state.texts = reader.texts();
         state.checked = std::move(*read);
@@ -401,6 +426,7 @@ private:
     std::vector<const Rule*> rules_;
     Needs needs_ = Needs::none;
     std::map<Subject, std::string> dropped_; ///< fixes that did not hold, and why
+    bool dropped_too_early_ = false;         ///< something was repaired since
 };
 
 } // namespace
@@ -415,20 +441,11 @@ FixReport report_of(const FixOutcome& outcome, bool with_edits) {
     report.interfaces = outcome.interfaces;
     report.force_unit = outcome.force_unit;
     for (const FixedFile& file : outcome.files) {
-        FileChange change{file.path, {}};
-        if (!with_edits) {
-            report.files.push_back(std::move(change));
-            continue;
-        }
-        const SourceFile& source = outcome.original->deck->file(file.edits.front().at.file);
-        uint64_t line = 1, counted = 0;
-        for (const Edit& e : file.edits) {
-            line += count_newlines(file.original.substr(counted, e.at.begin - counted));
-            counted = e.at.begin;
-            const auto column = static_cast<uint32_t>(e.at.begin - source.line_begin(e.at.begin)) + 1;
-            change.edits.push_back({e.at.begin, e.at.size(), line, column, e.text});
-        }
-        report.files.push_back(std::move(change));
+        if (with_edits)
+            report.files.push_back(
+                change_of(outcome.original->deck->file(file.edits.front().at.file), file.edits));
+        else
+            report.files.push_back({file.path, {}});
     }
     std::vector<DeckResult> one;
     one.push_back(outcome.after);

@@ -19,8 +19,12 @@ namespace drawbead {
 struct FixOptions {
     Selection selection; ///< whose findings are repaired; all rules are checked in any case
     FixChoices choices;
+    Selection counted{}; ///< whose findings count in the result, beside those that are repaired
+    Limits limits{};
+    std::map<std::string, Severity> severity{}; ///< as CheckOptions: of what is left, for the report
     unsigned threads = 1;
     unsigned most_rounds = 24;
+    bool with_changes = false; ///< `before` says what each repair that is offered would change
 };
 
 /// A file that changed.

@@ -9,15 +9,29 @@ namespace drawbead {
 // The one table of rules: one line per rule, sorted by code (a test sees to it).
 #define DRAWBEAD_RULES(RULE)                                                                                 \
     RULE(CTX001)                                                                                             \
+    RULE(CTX002)                                                                                             \
+    RULE(CTX003)                                                                                             \
+    RULE(CTX004)                                                                                             \
+    RULE(CTX005)                                                                                             \
+    RULE(CTX006)                                                                                             \
+    RULE(CTX007)                                                                                             \
     RULE(ENG001)                                                                                             \
     RULE(ENG002)                                                                                             \
     RULE(ENG003)                                                                                             \
     RULE(ENG004)                                                                                             \
     RULE(ENG005)                                                                                             \
+    RULE(ENG006)                                                                                             \
     RULE(ENG007)                                                                                             \
     RULE(ENG008)                                                                                             \
     RULE(ENG009)                                                                                             \
     RULE(ENG010)                                                                                             \
+    RULE(KIN001)                                                                                             \
+    RULE(KIN002)                                                                                             \
+    RULE(KIN003)                                                                                             \
+    RULE(KIN004)                                                                                             \
+    RULE(KIN005)                                                                                             \
+    RULE(KIN006)                                                                                             \
+    RULE(KIN007)                                                                                             \
     RULE(LIN001)                                                                                             \
     RULE(LIN002)                                                                                             \
     RULE(LIN003)                                                                                             \
@@ -64,8 +78,12 @@ namespace drawbead {
     RULE(STB001)                                                                                             \
     RULE(STB002)                                                                                             \
     RULE(STB003)                                                                                             \
+    RULE(STB004)                                                                                             \
     RULE(STB005)                                                                                             \
     RULE(STB006)                                                                                             \
+    RULE(SUP001)                                                                                             \
+    RULE(SUP002)                                                                                             \
+    RULE(SUP003)                                                                                             \
     RULE(SYN001)                                                                                             \
     RULE(SYN002)                                                                                             \
     RULE(SYN003)                                                                                             \
@@ -82,7 +100,8 @@ namespace drawbead {
     RULE(SYN014)                                                                                             \
     RULE(SYN015)                                                                                             \
     RULE(SYN016)                                                                                             \
-    RULE(SYN017)
+    RULE(SYN017)                                                                                             \
+    RULE(SYN018)
 
 #define DRAWBEAD_DECLARE(code) extern const Rule code;
 DRAWBEAD_RULES(DRAWBEAD_DECLARE)

@@ -13,6 +13,8 @@
 namespace drawbead {
 
 struct Analysis;
+struct Limits;
+struct Suppressions;
 
 /// What a rule says, with places still in the deck; the sink resolves them and adds code, name and severity.
 struct Draft {
@@ -42,6 +44,8 @@ struct RuleContext {
     const Deck& deck;
     const Model& model;
     const Analysis& analysis;
+    const Limits& limits;             ///< rules/limits.h
+    const Suppressions& suppressions; ///< rules/suppressions.h; judged only for the rules of the family SUP
 };
 
 struct Rule {

@@ -237,9 +237,17 @@ std::vector<std::string_view> hidden_by_cards() {
 }
 
 const Drawbead* drawbead_of(const RuleContext& context, const Draft& draft) {
-    for (const Drawbead& bead : context.model.drawbeads())
-        if (draft.interface_id == bead.id) return &bead;
-    return nullptr;
+    const Drawbead* first = nullptr;
+    for (const Drawbead& bead : context.model.drawbeads()) {
+        if (draft.interface_id != bead.id) continue;
+        if (!first) first = &bead;
+        // Several may have one id: the finding is about the one in which it stands.
+        const Block& block = context.deck.blocks()[bead.block];
+        const Span& at = draft.primary;
+        if (at.file == block.header.file && at.begin >= block.header.begin && at.begin < block.text.end)
+            return &bead;
+    }
+    return first;
 }
 
 std::optional<Fix> write_iform_2(const RuleContext& context, const Draft& draft, FixPlanner& planner) {

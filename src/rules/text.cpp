@@ -62,6 +62,13 @@ std::size_t sequence_length(std::string_view text) {
 
 } // namespace
 
+std::size_t character_count(std::string_view text) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < text.size(); ++count)
+        i += std::max<std::size_t>(sequence_length(text.substr(i)), 1);
+    return count;
+}
+
 std::string printable(std::string_view text) {
     std::string out(text);
     for (std::size_t i = 0; i < out.size();) {

@@ -21,6 +21,9 @@ std::string counted(uint64_t count, std::string_view singular, std::string_view 
 /// What the user typed, between single quotes, at most `most` bytes, in printable UTF-8.
 std::string quoted(std::string_view text, std::size_t most = 60);
 
+/// Unicode code points, a byte that is no UTF-8 being one.
+std::size_t character_count(std::string_view text);
+
 /// The same text byte for byte, except that control bytes and bytes that are no UTF-8 become blanks and
 /// question marks.
 std::string printable(std::string_view text);

@@ -1,5 +1,6 @@
 #include "scene/deck_evaluation.h"
 
+#include "scene/class_motion.h"
 #include "scene/interface_rank.h"
 #include "scene/nodal_mass.h"
 
@@ -13,155 +14,12 @@ namespace drawbead {
 
 namespace {
 
-/// A motion, or why it is not known.
-struct Known {
-    std::optional<Motion> motion;
-    std::string why;
-    std::string key; ///< equal for equal motions
-};
-
-/// What the classes of nodes of a model do.
-class ClassMotions {
-public:
-    ClassMotions(const Model& model, const EvaluationRequest& request)
-        : model_(model), motion_(model.motion()), request_(request), known_(motion_.classes.size()) {}
-
-    const Known& of(NodeRow node) { return of_class(motion_.of_node[index(node)]); }
-
-    const Known& of_class(uint32_t number) {
-        if (!known_[number]) {
-            known_[number] = Known{{}, "rigid bodies follow each other in a ring", ""};
-            known_[number] = request_.deck_motion ? of_deck(number) : of_moves(number);
-        }
-        return *known_[number];
-    }
-
-    std::vector<std::string> take_notes() { return {notes_.begin(), notes_.end()}; }
-
-private:
-    using Condition = MotionCondition;
-
-    std::string name(const Condition& c) const {
-        const Block& block = model_.deck().blocks()[c.block];
-        return "/" + std::string(block.keyword) + "/" + std::to_string(c.id);
-    }
-
-    static Known unknown(std::string why) { return {{}, std::move(why), ""}; }
-
-    Known of_moves(uint32_t number) const {
-        Known out;
-        out.motion.emplace();
-        std::set<std::size_t> acting; // a motion of two targets that share a node moves it once
-        for (const uint32_t c : motion_.classes[number])
-            acting.insert(request_.motion_of_target[motion_.conditions[c].function]);
-        for (const std::size_t move : acting) {
-            const Motion& part = request_.motions[move];
-            out.motion->terms.insert(out.motion->terms.end(), part.terms.begin(), part.terms.end());
-            if (part.turn && out.motion->turn) return unknown("two rotations act on the same nodes");
-            if (part.turn) out.motion->turn = part.turn;
-            if (!part.at_rest()) out.key += "m" + std::to_string(move) + " ";
-        }
-        if (out.motion->at_rest()) out.motion = Motion{};
-        return out;
-    }
-
-    Known of_deck(uint32_t number) {
-        const std::vector<uint32_t>& acting = motion_.classes[number];
-        if (acting.empty()) return unknown("nothing in the deck prescribes its motion");
-        for (const uint32_t c : acting) {
-            const Condition& condition = motion_.conditions[c];
-            if (condition.kind == Condition::Kind::unknown)
-                return unknown(name(condition) + ": " + condition.why);
-            if (condition.kind == Condition::Kind::rigid_body) return of_rigid_body(condition);
-        }
-        Known out;
-        out.motion.emplace();
-        Motion& motion = *out.motion;
-        std::array<const Condition*, 3> by{};
-        for (const uint32_t c : acting) {
-            const Condition& condition = motion_.conditions[c];
-            if (condition.kind == Condition::Kind::initial_velocity) {
-                motion.initial_velocity = condition.velocity;
-                continue;
-            }
-            for (std::size_t k = 0; k < 3; ++k) {
-                if (!condition.translation[k]) continue;
-                const bool both_hold = by[k] && by[k]->kind == Condition::Kind::fixed &&
-                                       condition.kind == Condition::Kind::fixed;
-                if (by[k] && !both_hold)
-                    return unknown(name(*by[k]) + " and " + name(condition) + " act in the same direction " +
-                                   "XYZ"[k]);
-                by[k] = &condition;
-                if (std::string why = take(condition, k, motion); !why.empty())
-                    return unknown(std::move(why));
-            }
-        }
-        for (std::size_t k = 0; k < 3; ++k)
-            if (!by[k]) return unknown(std::string("it is free in ") + "XYZ"[k]);
-        if (motion.at_rest()) motion.terms.clear();
-        for (const uint32_t c : acting)
-            if (motion_.conditions[c].kind == Condition::Kind::initial_velocity)
-                out.key += "i" + std::to_string(c) + " ";
-        for (std::size_t k = 0; k < 3 && !motion.terms.empty(); ++k)
-            if (by[k]->kind != Condition::Kind::fixed) out.key += key_of(*by[k], k);
-        return out;
-    }
-
-    /// With all digits: equal texts are equal numbers.
-    static std::string key_of(const Condition& c, std::size_t axis) {
-        char text[96];
-        std::snprintf(text, sizeof text, "%c%c%u*%a/%a ", c.kind == Condition::Kind::velocity ? 'v' : 'd',
-                      "xyz"[axis], c.function, c.scale, c.time_scale);
-        return text;
-    }
-
-    /// Adds one direction of a condition; gives why that is not possible.
-    std::string take(const Condition& condition, std::size_t axis, Motion& motion) {
-        if (condition.kind == Condition::Kind::fixed) return {};
-        const MotionFunction& f = motion_.functions[condition.function];
-        if (!f.unusable.empty()) return name(condition) + ": " + f.unusable;
-        if (condition.sensor != 0)
-            notes_.insert(name(condition) + ": sensor " + std::to_string(condition.sensor) +
-                          " is ignored, the motion counts from the start");
-        const double end = request_.time.empty() ? 0 : request_.time.back();
-        if (condition.t_start > 0 || condition.t_stop < end)
-            return name(condition) + " does not act over the whole run";
-        motion.terms.push_back({condition.kind == Condition::Kind::velocity, axis, condition.scale,
-                                condition.time_scale, TimeTable(f.x, f.y)});
-        return {};
-    }
-
-    Known of_rigid_body(const Condition& body) {
-        if (body.main == no_node) return unknown(name(body) + " has no main node");
-        const uint32_t main = motion_.of_node[index(body.main)];
-        if (body.sensor != 0)
-            notes_.insert(name(body) + ": sensor " + std::to_string(body.sensor) +
-                          " is ignored, the body counts as rigid from the start");
-        std::array<bool, 3> held{};
-        for (const uint32_t c : motion_.classes[main])
-            if (motion_.conditions[c].kind == Condition::Kind::fixed)
-                for (std::size_t k = 0; k < 3; ++k)
-                    held[k] = held[k] || motion_.conditions[c].rotation[k];
-        const Known& known = of_class(main);
-        if (!known.motion) return unknown(name(body) + ", main node: " + known.why);
-        if (!(held[0] && held[1] && held[2]))
-            return unknown(name(body) + " may turn: nothing holds the rotation of its main node");
-        return known;
-    }
-
-    const Model& model_;
-    const DeckMotion& motion_;
-    const EvaluationRequest& request_;
-    std::vector<std::optional<Known>> known_;
-    std::set<std::string> notes_;
-};
-
 /// Motions of the scene, equal ones once.
 class MotionTable {
 public:
     explicit MotionTable(EvaluationScene& scene) : scene_(scene) {}
 
-    uint32_t add(const Known& known) {
+    uint32_t add(const ClassMotion& known) {
         const auto [at, is_new] = index_.emplace(known.key, static_cast<uint32_t>(scene_.motions.size()));
         if (is_new) scene_.motions.push_back(*known.motion);
         return at->second;
@@ -216,13 +74,13 @@ Result<DeckEvaluation> evaluation_of(const Model& model, const EvaluationRequest
     EvaluationScene& scene = out.scene;
     scene.time = request.time;
     scene.dt = request.dt;
-    ClassMotions classes(model, request);
+    ClassMotions classes(model, request.prescribed, request.time.empty() ? 0 : request.time.back());
     MotionTable motions(scene);
 
     // How far anything goes, before the part of the surface near the beads is cut out.
     double travel = 0;
     for (uint32_t c = 0; c < model.motion().classes.size(); ++c)
-        if (const Known& known = classes.of_class(c); known.motion)
+        if (const ClassMotion& known = classes.of_class(c); known.motion)
             travel = std::max(travel, farthest(*known.motion, request.time));
     ContactOptions options;
     options.layer_ratio = 0;
@@ -244,7 +102,7 @@ Result<DeckEvaluation> evaluation_of(const Model& model, const EvaluationRequest
         if (why.empty()) {
             bead = bead_of(model, one);
             for (const NodeRow row : one.group->nodes) {
-                const Known& known = classes.of(row);
+                const ClassMotion& known = classes.of(row);
                 if (known.motion) {
                     bead.motion.push_back(motions.add(known));
                     continue;
@@ -264,7 +122,7 @@ Result<DeckEvaluation> evaluation_of(const Model& model, const EvaluationRequest
                 made.mesh = std::move(contact.surfaces[s].mesh);
                 bool masses_known = true;
                 for (const uint32_t row : made.mesh.node_row) {
-                    const Known& known = classes.of(NodeRow{row});
+                    const ClassMotion& known = classes.of(NodeRow{row});
                     if (!known.motion) {
                         at->second.second = "node " + std::to_string(model.nodes().id[row]) + " of surface " +
                                             std::to_string(surface.id) + ": " + known.why;

@@ -3,6 +3,7 @@
 #include "base/result.h"
 #include "force/evaluation.h"
 #include "model/model.h"
+#include "scene/class_motion.h"
 #include "scene/deck_contact.h"
 
 #include <limits>
@@ -15,11 +16,7 @@ inline constexpr Needs needs_evaluation = needs_contact | Needs::motion;
 
 struct EvaluationRequest {
     std::vector<InterfaceId> interfaces; ///< empty: all
-    /// Motions that are asked for, and which of them each target of Model::build follows. Several motions
-    /// on one node add. Without targets the deck's own motion is taken.
-    std::vector<Motion> motions;
-    std::vector<std::size_t> motion_of_target;
-    bool deck_motion = true;
+    PrescribedMotion prescribed;
     std::vector<double> time, dt;
     unsigned threads = 1;
     /// At least so much travel is allowed for around the beads; infinity: the whole surface is kept.

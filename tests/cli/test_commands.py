@@ -21,8 +21,8 @@ class General(CommandLineTest):
     def test_usage(self):
         self.assert_usage_error("a command is missing; see 'drawbead --help'")
         self.assert_usage_error("unknown command 'chekc'; did you mean 'check'?", "chekc", "x")
-        self.assert_usage_error("unknown command 'frobnicate'; please give one of check, fix, table, info, audit, evaluate, "
-                                "plan, rules, explain, schema, completion", "frobnicate")
+        self.assert_usage_error("unknown command 'frobnicate'; please give one of check, merge, fix, table, info, audit, "
+                                "evaluate, plan, accuracy, rules, explain, schema, completion", "frobnicate")
         self.assert_usage_error("unknown option '--verison'; did you mean '--version'?", "--verison")
         self.assert_usage_error("unexpected argument 'b'; see 'drawbead info --help'", "info", "a", "b")
 
@@ -96,14 +96,18 @@ class Completion(CommandLineTest):
         self.assertEqual(self.complete("ch"), ["check"])
         self.assertEqual(self.complete("--v"), ["--version"])
         self.assertEqual(self.complete("check", "--f"), ["--fail-on", "--format"])
-        self.assertEqual(self.complete("check", "--format", "c"), ["concise"])
-        self.assertEqual(self.complete("check", "--format", "=", "j"), ["json"])
-        self.assertEqual(self.complete("check", "--format", "="), ["full", "concise", "json"])
+        self.assertEqual(self.complete("check", "--format", "co"), ["concise"])
+        self.assertEqual(self.complete("check", "--format", "=", "j"), ["json", "jsonl", "junit"])
+        self.assertEqual(self.complete("merge", "--format", "="),
+                         ["json", "jsonl", "csv", "sarif", "junit", "github", "gitlab", "full", "concise"])
+        self.assertEqual(self.complete("check", "--sh"), ["--shard"])
         self.assertEqual(self.complete("check", "a"), ["a b_0000.rad"])
         self.assertEqual(self.complete("check", "--include-path", ""), ["parts"])
         self.assertEqual(self.complete("check", "--select", "REF00")[:2], ["REF001", "REF002"])
         self.assertEqual(self.complete("explain", "REF001"), ["REF001"])
-        self.assertEqual(self.complete("schema", ""), ["audit", "evaluation", "fix", "plan", "report", "scene", "table"])
+        self.assertEqual(self.complete("schema", ""),
+                         ["accuracy", "audit", "baseline", "config", "evaluation", "fix", "lines", "plan", "report", "scene",
+                          "table"])
         self.assertEqual(self.complete("completion", "f"), ["fish"])
 
     def test_others_name_every_option(self):

@@ -88,6 +88,25 @@ class Evaluate(CommandLineTest):
         self.assertEqual((status, out), (2, ""))
         return err
 
+    def test_numbers_out_of_range_are_no_result(self):
+        text = tiny()
+        card = "                50.0                20.0                 2.0"
+        self.assertIn(card, text)
+        self.write("d_0000.rad", text.replace(card, "               1e300               1e300                 9.0"))
+        scene_file = self.write("scene.yaml", """deck: d_0000.rad
+law: solver
+time: {end: 1e-200, steps: 10}
+output: {csv: out.csv}
+motion:
+  - move: {surface: 1}
+    velocity: {y: 1e200}
+""")
+        status, out, err = self.run_tool("evaluate", scene_file)
+        self.assertEqual((status, out), (2, ""))
+        self.assertRegex(err, r"scene\.yaml: error: interface 7, law solver: numbers leave the range of a double in the "
+                              r"energies; look for a limit, stiffness, mass or motion that is far too large")
+        self.assertFalse((self.folder / "out.csv").exists())
+
     def test_recorded_runs(self):
         for name in ("n2_two_thick_reset", "j_window", "win_late", "twoside_bad", "m_sh3n"):
             with self.subTest(name):
@@ -227,6 +246,77 @@ motion:
         self.write("d_0001.rad", "#RADIOSS ENGINE\n/RUN/d/1\n# end\n               0.002\n")
         status, out, _ = self.run_tool("evaluate", "d_0000.rad", "--format", "json")
         self.assertEqual((status, loads(out)["end"]), (0, 0.002))
+
+    def test_the_deck_is_looked_at_before_its_end_is_asked_for(self):
+        (self.folder / "folder").mkdir()
+        self.write("binary.rad", bytes(range(256)) * 40)
+        self.write("empty.rad", "")
+        for name in "folder", "binary.rad", "empty.rad", "none.rad":
+            status, out, err = self.run_tool("evaluate", name)
+            self.assertEqual((status, out), (2, ""))
+            self.assertIn(name, err)
+            self.assertNotIn("--end", err)
+
+    def test_initial_rotations_are_not_read_and_said_so(self):
+        spin = "/INIVEL/ROT/3\nspin\n" + reals(0.0, 0.0, 5.0).rstrip("\n") + cells(5, 0)
+        self.write("d_0000.rad", moved(spin, keep_bead_held=True))
+        status, out, _ = self.run_tool("evaluate", "d_0000.rad", "--end", "1", "--steps", "2")
+        self.assertEqual(status, 0)
+        self.assertIn("note: /INIVEL/ROT/3: initial rotations are not read", out)
+
+    def test_the_beads_of_a_tool_against_what_holds_it(self):
+        body = ("/GRNOD/NODE/6\nmain\n" + cells(1000) + "/RBODY/1\ntool\n"
+                + cells(1000, 0, 0, 0).rstrip("\n") + f"{0.0:>20}" + cells(1) + reals(0, 0, 0) * 2 + cells(0)
+                + "/FUNCT/2\nforce\n" + reals(0.0, -1.0) + reals(1.0, -3.0)
+                + "/CLOAD/4\npress\n" + cells(2, "Z", 0, 0, 6, 0).rstrip("\n") + reals(1.0, 100.0))
+        deck = moved(body).replace("/SHELL/1\n", "/NODE\n      1000" + reals(0.0, 0.0, 50.0) + "/SHELL/1\n")
+        self.write("d_0000.rad", deck)
+        text = """deck: d_0000.rad
+law: solver
+time: {end: 1, steps: 100}
+motion:
+  - move: {interface: 7, side: secondary}
+    displacement: {z: [[0, 0], [0.5, -3], [1, -3]]}
+"""
+        (tool,) = self.evaluate(text)["tools"]
+        (total,) = tool["sums"]
+        self.assertEqual(tool["rigid_body"], 1)
+        time = total["normal"]["time"]
+        self.assertGreater(time, 0.4)
+        self.assertAlmostEqual(total["normal"]["value"], 300, 6)  # 50 N/mm over 6 mm
+        self.assertAlmostEqual(total["holding"], 100 * (1 + 2 * time), 6)
+        out = self.run_tool("evaluate", "scene.yaml")[1]
+        self.assertIn(f"normal force up to 300 N at {time:g}, ", out.replace(" s, ", ", "))
+        self.assertIn(" that hold it then", out)
+        self.write("d_0000.rad", deck.replace("/CLOAD", "/CLOUD"))
+        self.assertIsNone(self.evaluate(text)["tools"][0]["sums"][0]["holding"])
+
+    def test_check_takes_motion_and_time_from_a_scene(self):
+        self.write("d_0000.rad", moved(keep_bead_held=True))
+        self.assertIn("KIN004", self.run_tool("check", "d_0000.rad", "--format", "concise")[1])
+        text = """deck: d_0000.rad
+time: {end: 1, steps: 10}
+motion:
+  - move: {interface: 7, side: secondary}
+    displacement: {z: [[0, 0], [0.5, -3], [1, -3]], y: [[0, 0], [0.5, 0], [1, 2]]}
+"""
+        self.write("scene.yaml", text)
+        status, out, _ = self.run_tool("check", "--scene", "scene.yaml", "--format", "concise")
+        self.assertEqual(status, 1)
+        self.assertIn("KIN003", out)
+        self.assertNotIn("KIN004", out)
+        self.write("scene.yaml", text.replace("interface: 7", "interface: 8"))
+        status, out, err = self.run_tool("check", "--scene", "scene.yaml", "-q")
+        self.assertEqual((status, out), (2, ""))
+        self.assertIn("scene.yaml:4:", err)
+        self.assertIn("8 does not exist in the deck", err)
+        status, _, err = self.run_tool("check", "--scene", "none.yaml")
+        self.assertEqual(status, 2)
+        self.assertIn("none.yaml", err)
+        self.write("scene.yaml", text.replace("d_0000", "x_0000"))
+        self.assertEqual(self.run_tool("check", "--scene", "scene.yaml")[0], 2)
+        self.assert_usage_error("--scene names its deck itself; please leave out PATH or --scene",
+                                "check", "--scene", "scene.yaml", "d_0000.rad")
 
     def test_errors_of_scenes(self):
         self.write("d_0000.rad", moved(keep_bead_held=True))

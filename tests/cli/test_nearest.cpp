@@ -1,4 +1,4 @@
-#include "cli/nearest.h"
+#include "base/nearest.h"
 #include "cli/paths.h"
 
 #include <catch2/catch.hpp>

@@ -170,3 +170,68 @@ TEST_CASE("indented keywords, CRLF, lower case") {
     CHECK(lines.text(line) == "1");
     CHECK_FALSE(lines.next(line));
 }
+
+TEST_CASE("a byte order mark does not hide the first line of a file") {
+    const std::string mark = "\xef\xbb\xbf";
+    MemoryReader files;
+    files.add("a.inc", mark + "/NODE\n         1\n");
+    files.add("b.inc", mark + "#include a.inc\n");
+    const Deck deck = read_deck(mark + "/BEGIN\nrun\n      2022         0\n#include b.inc\n/END\n", files);
+    CHECK(keywords(deck) == Words{"BEGIN", "NODE"});
+    CHECK(deck.notices().empty());
+    CHECK(deck.text(deck.blocks()[0].header) == "/BEGIN");
+    CHECK(deck.text(deck.blocks()[1].header) == "/NODE");
+}
+
+TEST_CASE("an include of numbers alone is noticed") {
+    MemoryReader files;
+    files.add("rows", "# nodes\n         1                 0.0\n");
+    const Deck deck = read_deck(begin_2022 + "/NODE\n#include rows\n/END\n", files);
+    CHECK(count(deck, Notice::Kind::include_text_dropped) == 1);
+}
+
+TEST_CASE("#enddata before /END is no contradiction") {
+    MemoryReader files;
+    files.add("a.inc", "/A/1\n#enddata\n\n# the end\n/END\n");
+    files.add("b.inc", "/B/1\n#enddata\n/C/1\n");
+    const Deck deck = read_deck(begin_2022 + "#include a.inc\n#enddata\n/END\ntext\n", files);
+    CHECK(deck.notices().empty());
+    CHECK(count(read_deck(begin_2022 + "#include b.inc\n/END\n", files), Notice::Kind::data_after_enddata) ==
+          1);
+}
+
+TEST_CASE("a comment that begins like an include, and paths with backslashes") {
+    MemoryReader files;
+    files.add("sub/a.inc", "/A/1\n");
+    files.add("fine", "/B/1\n");
+    const Deck deck = read_deck(
+        begin_2022 + "#includes of the tool\n#INCLUDED: nothing\n#includefine\n#include sub\\a.inc\n/END\n",
+        files);
+    CHECK(keywords(deck) == Words{"BEGIN", "B", "A"});
+    CHECK(deck.notices().empty());
+    CHECK(count(read_deck(begin_2022 + "#include gone\n/END\n"), Notice::Kind::include_missing) == 1);
+}
+
+TEST_CASE("padded unit keywords, and the byte that old editors end a file with") {
+    const Deck deck =
+        read_deck("/BEGIN\nrun\n        90         0\n/UNIT/LENGTH/        mm\n/UNIT/MASS/Mg  \n"
+                  "/UNIT/TIME/s/\n/END\x1a");
+    CHECK(deck.notices().empty());
+    CHECK(unit_name(deck.work_units(), force_per_length_dimension) == "N/mm");
+    MemoryReader files;
+    files.add("lines", "/BEGIN\rrun\r      2022\r/END\r");
+    CHECK(Deck::read("lines", files).error().message ==
+          "the lines of the file end with a carriage return alone: all of it is one line");
+}
+
+TEST_CASE("the newest version has no warning") {
+    CHECK(read_deck(begin_of(2612) + "/END\n").notices().empty());
+}
+
+TEST_CASE("an expression goes on in the columns of its own or of the name") {
+    const Deck deck = read_deck(begin_2022 + "/PARAMETER/GLOBAL/REAL_EXPR/1\nt\nA         2*3\n          +4\n"
+                                             "/PARAMETER/GLOBAL/REAL_EXPR/2\nt\nB         A\n+A/2\n/END\n");
+    CHECK(deck.notices().empty());
+    CHECK(deck.parameter(ScopeId{0}, "A")->value == 10);
+    CHECK(deck.parameter(ScopeId{0}, "B")->value == 15);
+}

@@ -347,27 +347,3 @@ TEST_CASE("plan: what a scene does not call for is left out, with the numbers th
         }
     }
 }
-
-TEST_CASE("track region: within it the solver's search would find the same") {
-    SheetScene s({100, 0, 50, 0, 5});
-    const NearMesh& mesh = s.scene.surfaces[0].mesh;
-    const std::vector<Track>& tracks = s.bead().track;
-    for (std::size_t i = 0; i < tracks.size(); ++i)
-        for (int step = 0; step < 50; ++step) {
-            Vec3 x = s.bead().x[i] + Vec3{0.37 * step, 0.11 * step, 0.05 * step};
-            Track track = tracks[i];
-            for (int settle = 0; settle < 30; ++settle)
-                solver_step(track, mesh, mesh.x, x);
-            const TrackRegion region(track, mesh, mesh.x, x);
-            for (const Vec3& way : {Vec3{1, 0, 0}, Vec3{-0.6, 0.8, 0}, Vec3{0, -1, 0}, Vec3{0.5, 0.5, 0.7}}) {
-                // As far as it allows, in steps that each go as far as it says.
-                Vec3 gone;
-                for (int reach = 0; reach < 20; ++reach)
-                    gone += region.margin(gone) / norm(way) * way;
-                Track moved = track;
-                solver_step(moved, mesh, mesh.x, x + gone);
-                CHECK(moved.nearest == track.nearest);
-                CHECK(moved.segment == track.segment);
-            }
-        }
-}

@@ -1,3 +1,4 @@
+#include "geometry/closest_foot.h"
 #include "geometry/closest_point.h"
 
 #include <catch2/catch.hpp>
@@ -189,4 +190,22 @@ TEST_CASE("the box is never farther than the segment") {
         const Vec3 x{3 * u(random), 3 * u(random), 3 * u(random)};
         REQUIRE(std::sqrt(squared_distance_to_box(c, x)) <= closest_point(c, x).distance * (1 + 1e-15));
     }
+}
+
+TEST_CASE("the quick foot is the foot") {
+    // Planar, warped, folded and triangular quads, with points over them, beside them and far away.
+    const std::vector<Corners> quads{{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}},
+                                     {{{0, 0, 0}, {1, 0, 0.3}, {1.2, 1, -0.2}, {0, 0.9, 0.4}}},
+                                     {{{0, 0, 0}, {2, 0, 0}, {0.4, 0.3, 0.1}, {0, 2, 0}}},
+                                     {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0.5}, {0, 1, 0.5}}}};
+    for (const Corners& c : quads)
+        for (int i = -6; i <= 9; ++i)
+            for (int j = -6; j <= 9; ++j)
+                for (const double height : {-2.0, -0.1, 0.0, 0.4, 5.0}) {
+                    const Vec3 x{0.25 * i, 0.25 * j, height};
+                    const Foot quick = closest_foot(c, x), foot = closest_point(c, x);
+                    CHECK(quick.distance == foot.distance);
+                    CHECK(squared_norm(quick.point - foot.point) == 0);
+                    CHECK(quick.edges == foot.edges);
+                }
 }

@@ -75,6 +75,24 @@ TEST_CASE("motion: what is not read is known to act") {
     CHECK(b.model.motion().functions.at(bead[2]->function).unusable == "/FUNCT/4 is not defined");
 }
 
+TEST_CASE("motion: loads push and initial rotations are named, but neither says where a node goes") {
+    const Built b =
+        build(deck(ramp + "/CLOAD/1\npress\n" + cells({"3", "Z", "0", "0", "2", "0"}, 10) +
+                   "/CLOAD/2\nturn\n" + cells({"3", "ZZ", "9", "0", "2", "0"}, 10) + "/INIVEL/ROT/3\nspin\n" +
+                   reals({"0.", "0.", "1."}).substr(0, 60) + cells({"2"}, 10)),
+              moving);
+    const auto bead = of(b, 101);
+    REQUIRE(bead.size() == 3);
+    CHECK(bead[0]->kind == Kind_::load);
+    CHECK(bead[0]->translation == std::array{false, false, true});
+    CHECK(bead[0]->scale == 1);
+    CHECK(bead[0]->why.empty());
+    CHECK(bead[1]->kind == Kind_::load);
+    CHECK(bead[1]->rotation == std::array{false, false, true});
+    CHECK(bead[1]->why == "directions of a skew are not read");
+    CHECK(bead[2]->kind == Kind_::initial_unread);
+}
+
 TEST_CASE("motion: nothing is read without the need, and targets stand for the deck's own") {
     const std::string text =
         deck(group_of_all + ramp + "/IMPVEL/1\nx\n" + cells({"3", "X", "0", "0", "7"}, 10));

@@ -480,3 +480,13 @@ TEST_CASE("rows do not depend on the threads, and agree with a plain reader of l
         CHECK(parse_integer(deck.text(solid_lines.line(row))).value == three.solids.id[row]);
     }
 }
+
+TEST_CASE("the byte that old editors end a file with is no row") {
+    MemoryReader files;
+    files.add("nodes.inc", nodes_to(3) + "\x1a");
+    const Deck deck = deck_of(begin + "#include nodes.inc\n/END\n", files);
+    const Tables tables = read_tables(deck, everything(), 1);
+    CHECK(tables.counts.nodes == 3);
+    CHECK(list(tables.nodes.id) == std::vector<uint32_t>{1, 2, 3});
+    CHECK(tables.issues.empty());
+}

@@ -30,6 +30,10 @@ inline Report example_report() {
     flipped.help = "reverse the 412 segments, or give the bead a surface of its own";
     flipped.fixes = {{"signed groups in a surface of its own", FixAvailability::safe},
                      {"reverse the elements", FixAvailability::unsafe}};
+    // In a line that begins with a word in UTF-8, and a text in Latin-1.
+    FileEdit turned{120, 4, {"", 12, 4, 8, "", 3, 7}, 12, "B\xf6rdel {new}\n"};
+    FileEdit dropped{300, 11, {"", 15, 1, 1, "", 0, 0}, 16, ""};
+    flipped.fixes[0].changes = {{"decks/blank.inc", {turned, dropped}}};
     flipped.fingerprint = "0123456789abcdef";
 
     // Latin-1 in a name, an escape sequence in a title, UTF-8 before the caret.
@@ -38,7 +42,7 @@ inline Report example_report() {
     odd.name = "unit-suspect";
     odd.severity = Severity::warning;
     odd.message = "title 'B\xf6rdel \x1b[31m' of \xce\xbc = 3";
-    odd.places = {{"decks/hood_0000.rad", 9, 4, 5, "\xce\xbc= x"}};
+    odd.places = {{"decks/hood_0000.rad", 9, 4, 5, "\xce\xbc= x", 3, 4}};
     odd.fingerprint = "00000000000000ff";
 
     // No place at all.
@@ -71,6 +75,9 @@ inline Report example_report() {
     starter.interfaces = {{11, {346, 1040}, {501, 502}}, {12, {}, {}}};
     hood.starter = starter;
     hood.findings = {flipped, odd, whole};
+    hood.suppressed = 2;
+    hood.known = 3;
+    hood.gone = {{"00000000000000aa", "LIN005", 11, 1}, {"00000000000000bb", "SRF002", std::nullopt, 4}};
 
     DeckResult missing;
     missing.path = "decks/lost_0000.rad";

@@ -16,7 +16,7 @@ namespace {
 
 std::string json_of(const Report& report) {
     StringSink out;
-    const std::unique_ptr<ReportWriter> writer = json_writer(out, report.tool_version);
+    const std::unique_ptr<ReportWriter> writer = json_writer(out, {report.tool_version});
     for (const DeckResult& deck : report.decks)
         writer->deck(deck);
     writer->end(report.summary);
@@ -48,9 +48,24 @@ TEST_CASE("a report without decks") {
                              "    \"interfaces\": 0,\n"
                              "    \"errors\": 0,\n"
                              "    \"warnings\": 0,\n"
-                             "    \"infos\": 0\n"
+                             "    \"infos\": 0,\n"
+                             "    \"suppressed\": 0,\n"
+                             "    \"known\": 0,\n"
+                             "    \"gone\": 0\n"
                              "  }\n"
                              "}\n");
+}
+
+TEST_CASE("a part of a run, and one that was interrupted, say so") {
+    StringSink out;
+    const std::unique_ptr<ReportWriter> writer = json_writer(out, {"0", {}, Severity::error, Shard{2, 7}});
+    Summary summary;
+    summary.interrupted = true;
+    summary.asked = 12;
+    writer->end(summary);
+    CHECK(out.text().find("\"schema\": 1,\n  \"shard\": {\"number\": 2, \"of\": 7},\n") != std::string::npos);
+    CHECK(out.text().find("\"infos\": 0,\n    \"interrupted\": true,\n    \"asked\": 12\n") !=
+          std::string::npos);
 }
 
 TEST_CASE("strings: quotes, control bytes, and bytes that are no UTF-8") {

@@ -130,6 +130,10 @@ TEST_CASE("summary sentences") {
     summary.decks = summary.interfaces = summary.infos = 1;
     summary.seconds = 61.5;
     CHECK(summary_sentence(summary) == "1 deck, 1 interface: 1 note in 61.50 s");
+    summary.suppressed = 2;
+    CHECK(summary_sentence(summary) == "1 deck, 1 interface: 1 note (2 suppressed) in 61.50 s");
+    summary.known = 3;
+    CHECK(summary_sentence(summary) == "1 deck, 1 interface: 1 note (3 known, 2 suppressed) in 61.50 s");
 }
 
 TEST_CASE("deck text cannot drive a terminal") {

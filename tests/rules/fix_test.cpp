@@ -127,6 +127,23 @@ TEST_CASE("all rules together: a second run has nothing to do") {
             }
 }
 
+TEST_CASE("of two interfaces with one id the one is repaired that the finding is about") {
+    // The first lacks its cards; Iform stands in the wrong columns of the second.
+    const std::string deck = "#RADIOSS STARTER\n/BEGIN\ntwo\n      2022         0\n"
+                             "                  Mg                  mm                   s\n"
+                             "                  Mg                  mm                   s\n"
+                             "/INTER/TYPE8/7\nfirst\n/INTER/TYPE8/7\nsecond\n"
+                             "         1         1                              1\n"
+                             "                50.0                20.0                 2.0\n\n/END\n";
+    FixOptions options;
+    options.selection.select = {"SYN003"};
+    const FixOutcome outcome = fix({{"deck.rad", deck}}, options);
+    REQUIRE(outcome.changed());
+    const std::string text = fixed_files({{"deck.rad", deck}}, outcome)["deck.rad"];
+    CHECK(text.find("first\n/INTER/TYPE8/7\nsecond\n         1         1                   1\n") !=
+          std::string::npos);
+}
+
 TEST_CASE("a rule offers fixes in its description only where it has one") {
     for (const Rule& rule : registry()) {
         INFO(rule.info.code);

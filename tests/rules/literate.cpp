@@ -228,8 +228,6 @@ Document read_document(const std::string& path) {
     return document;
 }
 
-namespace {
-
 std::map<std::string, std::string> texts_of(const Example& example) {
     std::map<std::string, std::string> texts;
     for (const auto& [name, file] : example.files)
@@ -237,6 +235,8 @@ std::map<std::string, std::string> texts_of(const Example& example) {
             texts[name] += line.text + "\n";
     return texts;
 }
+
+namespace {
 
 MemoryReader reader_of(const std::map<std::string, std::string>& texts) {
     MemoryReader reader;
@@ -274,10 +274,18 @@ Repair repair(const Example& example, const std::string& code, bool unsafe) {
     return repair;
 }
 
-DeckResult run(const Example& example, unsigned threads) {
+DeckResult run_texts(const std::map<std::string, std::string>& texts, const Limits& limits) {
+    MemoryReader reader = reader_of(texts);
+    CheckOptions options;
+    options.limits = limits;
+    return check_deck("deck.rad", reader, {}, options);
+}
+
+DeckResult run(const Example& example, unsigned threads, const Limits& limits) {
     MemoryReader reader = reader_of(texts_of(example));
     CheckOptions options;
     options.threads = threads;
+    options.limits = limits;
     return check_deck("deck.rad", reader, {}, options);
 }
 

@@ -16,6 +16,7 @@
 // /GRNOD/NODENS/2), and of the same type for /INTER. Tables (/NODE, /SHELL/1 …) join
 // instead, and their rows replace the frame's rows of the same id.
 #include "findings/report.h"
+#include "rules/limits.h"
 
 #include <map>
 #include <optional>
@@ -57,7 +58,12 @@ struct Document {
 Document read_document(const std::string& path);
 
 /// What is found in the example, by all rules.
-DeckResult run(const Example&, unsigned threads = 1);
+DeckResult run(const Example&, unsigned threads = 1, const Limits& = {});
+
+/// The texts of its files by name; the main one is "deck.rad".
+std::map<std::string, std::string> texts_of(const Example&);
+/// What is found in such files.
+DeckResult run_texts(const std::map<std::string, std::string>&, const Limits& = {});
 
 /// "line 3: SYN001" of what was expected and not found or found and not expected; empty when all is well.
 std::vector<std::string> differences(const Example&, const DeckResult&);

@@ -1,5 +1,5 @@
 #pragma once
-// Cards that prescribe how nodes move: /BCS, /IMPVEL, /IMPDISP, /INIVEL, /RBODY, /FUNCT.
+// Cards that prescribe how nodes move: /BCS, /IMPVEL, /IMPDISP, /INIVEL, /CLOAD, /RBODY, /FUNCT.
 #include "deck/card.h"
 
 namespace drawbead {
@@ -42,6 +42,26 @@ inline constexpr Field imposed_displacement_fields[] = {
 };
 inline constexpr CardSchema imposed_displacement_card{"scales of an imposed displacement",
                                                       imposed_displacement_fields};
+
+inline constexpr Field load_fields[] = {
+    {.name = "funct_IDT", .column = 1, .link = Link::function},
+    {.name = "Dir", .column = 11, .kind = Kind::text},
+    {.name = "skew_ID", .column = 21},
+    {.name = "sensor_ID", .column = 31},
+    {.name = "grnd_ID", .column = 41, .link = Link::node_group},
+    {.name = "Itypfun", .column = 51},
+    {.name = "Ascale_x", .column = 61, .width = 20, .kind = Kind::real, .dimension = time_dimension},
+    {.name = "Fscale_Y", .column = 81, .width = 20, .kind = Kind::real, .dimension = force_dimension},
+};
+inline constexpr CardSchema load_card{"concentrated load", load_fields};
+
+/// Of /INIVEL/AXIS.
+inline constexpr Field initial_axis_fields[] = {
+    {.name = "Dir", .column = 1, .kind = Kind::text},
+    {.name = "frame_ID", .column = 11},
+    {.name = "grnd_ID", .column = 21, .link = Link::node_group},
+};
+inline constexpr CardSchema initial_axis_card{"initial velocity about an axis", initial_axis_fields};
 
 inline constexpr Field initial_velocity_fields[] = {
     {.name = "Vx", .column = 1, .width = 20, .kind = Kind::real, .dimension = velocity_dimension},

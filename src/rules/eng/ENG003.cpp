@@ -1,3 +1,4 @@
+#include "rules/limits.h"
 #include "rules/lin/bead_report.h"
 #include "rules/stb/blank.h"
 #include "rules/support.h"
@@ -15,7 +16,6 @@ void check(const RuleContext& context, FindingSink& sink) {
         if (bead.fn_first == 0 || !bead.fn_varies() || bead.depth <= 0) continue;
         const auto ramp = ramp_of(context, *a);
         if (!ramp || ramp->slope.kind != Slope::ramp) continue; // a reset: ENG002
-        constexpr double large = 0.25;                          // of the total
         double sum = 0, worst = 0;
         std::size_t worst_node = 0;
         for (std::size_t i = 0; i < a->fn.size(); ++i) {
@@ -26,7 +26,8 @@ void check(const RuleContext& context, FindingSink& sink) {
         if (sum == 0) continue;
         const UnitSystem& units = context.deck.work_units();
         Draft draft = draft_at(context, bead, cells_of(bead).fn_last);
-        if (sum < large * std::abs(a->fn_total)) draft.severity = Severity::info;
+        if (sum < context.limits.ENG003_warning_share * std::abs(a->fn_total))
+            draft.severity = Severity::info;
         draft.message =
             "linear Fn of " + bead_name(bead) +
             ": by the manual the force varies along the bead; in the solver the ramp of every node "

@@ -1,3 +1,4 @@
+#include "rules/limits.h"
 #include "rules/lin/bead_report.h"
 #include "rules/stb/blank.h"
 #include "rules/support.h"
@@ -20,7 +21,6 @@ double share_at_stake(const BeadNodeContact& n, const ClosestHit& closest, doubl
 }
 
 void check(const RuleContext& context, FindingSink& sink) {
-    constexpr double noticeable = 0.01, large = 0.05; // of the total
     const UnitSystem& units = context.deck.work_units();
     for (const BeadAnalysis* a : beads_with_nodes(context)) {
         const InterfaceContact* first = first_cycle(context, *a);
@@ -38,7 +38,7 @@ void check(const RuleContext& context, FindingSink& sink) {
         }
         const double of_total = std::max(a->fn_total != 0 ? fn / std::abs(a->fn_total) : 0,
                                          a->ft_total != 0 ? ft / std::abs(a->ft_total) : 0);
-        if (of_total < noticeable) continue;
+        if (of_total < context.limits.ENG010_least_share) continue;
         const std::vector<Span> places = list_places(context, *a);
         Draft draft = draft_at_position(context, *a, places, worst_node);
         for (const std::size_t i : found) {
@@ -46,7 +46,7 @@ void check(const RuleContext& context, FindingSink& sink) {
             if (i != worst_node && draft.related.size() < 99) draft.related.push_back(places[i]);
         }
         draft.place_count = found.size();
-        if (of_total > large) draft.severity = Severity::warning;
+        if (of_total > context.limits.ENG010_warning_share) draft.severity = Severity::warning;
         const BeadNodeContact& n = first->contact.node[worst_node];
         draft.message =
             counted(found.size(), "node") + " of " + bead_name(*a->bead) +

@@ -1,3 +1,4 @@
+#include "rules/limits.h"
 #include "rules/lin/bead_report.h"
 #include "rules/support.h"
 #include "rules/text.h"
@@ -19,8 +20,8 @@ void check(const RuleContext& context, FindingSink& sink) {
             if (i != branches.front()) draft.related.push_back(places[i]);
         }
         // Nodes strewn over an area were not meant as arms of anything: what was meant cannot be told.
-        constexpr std::size_t most_branches = 3;
-        if (branches.size() > most_branches) draft.severity = Severity::warning;
+        if (static_cast<double>(branches.size()) > context.limits.LIN008_error_branches)
+            draft.severity = Severity::warning;
         draft.message = "three or more arms of " + bead_name(*a->bead) + " meet at node " +
                         std::to_string(node_id(context, *a, branches.front()));
         if (branches.size() > 1)

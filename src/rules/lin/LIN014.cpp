@@ -1,3 +1,4 @@
+#include "rules/limits.h"
 #include "rules/lin/bead_report.h"
 #include "rules/lin/near_hops.h"
 #include "rules/support.h"
@@ -42,8 +43,8 @@ std::set<NodeRow> shared_nodes(const BeadAnalysis& a, const BeadAnalysis& b) {
 }
 
 /// A round bead of depth DEPTH is twice as wide.
-double half_width(const BeadAnalysis& a) {
-    return std::max(a.bead->depth, 0.0);
+double half_width(const RuleContext& context, const BeadAnalysis& a) {
+    return context.limits.LIN014_half_width_depths * std::max(a.bead->depth, 0.0);
 }
 
 void check(const RuleContext& context, FindingSink& sink) {
@@ -59,8 +60,9 @@ void check(const RuleContext& context, FindingSink& sink) {
         for (std::size_t p = 0; p < q; ++p) {
             const BeadAnalysis &a = *beads[p], &b = *beads[q];
             if (!windows_overlap(*a.bead, *b.bead)) continue;
-            const double width = half_width(a) + half_width(b);
-            const double touching = 1e-3 * std::min(a.check.median_hop, b.check.median_hop);
+            const double width = half_width(context, a) + half_width(context, b);
+            const double touching =
+                context.limits.LIN014_touch_steps * std::min(a.check.median_hop, b.check.median_hop);
             const std::vector<NearHops> near = near_hops(lines[p], lines[q], std::max(width, touching));
             if (near.empty()) continue;
             const std::set<NodeRow> shared = shared_nodes(a, b);

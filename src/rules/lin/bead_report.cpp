@@ -144,7 +144,10 @@ std::string segment_name(const RuleContext& context, const Surface& surface, uin
 
 void add_segment(const RuleContext& context, const Surface& surface, uint32_t segment, Entities& entities) {
     const Segment& s = surface.segments[segment];
-    entities.segments.add(segment + 1);
+    uint64_t corners = 0; // the number of a segment changes with the order of the blocks, its nodes do not
+    for (const NodeRow row : s.n)
+        corners += EntityList::mixed(static_cast<uint64_t>(value(context.model.nodes().user_id(row))));
+    entities.segments.add(segment + 1, corners);
     if (s.kind != ElementKind::none) entities.elements.add(value(context.model.element_id(s)));
 }
 

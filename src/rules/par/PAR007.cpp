@@ -1,3 +1,4 @@
+#include "rules/limits.h"
 #include "rules/lin/bead_report.h"
 #include "rules/support.h"
 #include "rules/text.h"
@@ -17,9 +18,8 @@ struct Limit {
 
 /// A taper to nothing is written with a tiny value, since a `_last` of 0 means constant (PAR005, PAR006 and
 /// the split of LIN001 take 1e-6 of the other end).
-bool stands_for_zero(const Limit& limit) {
-    constexpr double tiny = 1e-5;
-    return std::abs(limit.value) <= tiny * std::abs(limit.other_end);
+bool stands_for_zero(const RuleContext& context, const Limit& limit) {
+    return std::abs(limit.value) <= context.limits.PAR007_zero_ratio * std::abs(limit.other_end);
 }
 
 std::vector<Limit> limits_of(const Drawbead& b) {
@@ -43,15 +43,16 @@ double usual(const std::vector<const BeadAnalysis*>& beads, const BeadAnalysis* 
 }
 
 /// "a thousand times" or "a million times", when the ratio is that of a wrong unit.
-const char* unit_slip(double ratio) {
+const char* unit_slip(double ratio, double most) {
     const double decades = std::abs(std::log10(ratio));
-    if (std::abs(decades - 3) < 0.5) return "about a thousand times";
-    if (std::abs(decades - 6) < 0.5) return "about a million times";
+    if (std::abs(decades - 3) < most) return "about a thousand times";
+    if (std::abs(decades - 6) < most) return "about a million times";
     return nullptr;
 }
 
 void check(const RuleContext& context, FindingSink& sink) {
-    constexpr double smallest = 0.1, largest = 5000; // N/mm
+    const double smallest = context.limits.PAR007_least_n_per_mm,
+                 largest = context.limits.PAR007_most_n_per_mm;
     const UnitSystem& units = context.deck.work_units();
     // Force per length in N/m is mass / time^2; per mm it is a thousandth.
     const double to_n_per_mm = units.mass / (units.time * units.time) / 1000;
@@ -59,11 +60,12 @@ void check(const RuleContext& context, FindingSink& sink) {
     for (const BeadAnalysis* a : beads)
         for (const Limit& limit : limits_of(*a->bead)) {
             const double value = std::abs(limit.value);
-            if (value == 0 || stands_for_zero(limit)) continue;
+            if (value == 0 || stands_for_zero(context, limit)) continue;
             const double si = value * to_n_per_mm;
             const bool normal = limit.name[1] == 'n';
             const double others = usual(beads, a, normal);
-            const char* slip = others > 0 ? unit_slip(value / others) : nullptr;
+            const char* slip =
+                others > 0 ? unit_slip(value / others, context.limits.PAR007_slip_decades) : nullptr;
             const bool outside = si < smallest || si > largest;
             if (!outside && slip == nullptr) continue;
             Draft draft = draft_at(context, *a->bead, *limit.cell);

@@ -1,3 +1,4 @@
+#include "rules/limits.h"
 #include "rules/lin/bead_report.h"
 #include "rules/support.h"
 #include "rules/text.h"
@@ -10,7 +11,8 @@ namespace drawbead {
 namespace {
 
 void check(const RuleContext& context, FindingSink& sink) {
-    constexpr double thinnest = 0.1, thickest = 30; // DEPTH over the thickness of the sheet
+    const double thinnest = context.limits.PAR008_least_thicknesses,
+                 thickest = context.limits.PAR008_most_thicknesses;
     const UnitSystem& units = context.deck.work_units();
     for (const BeadAnalysis* a : beads_with_nodes(context)) {
         const double depth = a->bead->depth;

@@ -57,9 +57,8 @@ void remove_block(const Deck& deck, BlockIndex index, FixPlanner& planner) {
 
 std::optional<Fix> fix(const RuleContext& context, const Draft& draft, FixPlanner& planner) {
     const Deck& deck = context.deck;
-    const auto bead = std::find_if(context.model.drawbeads().begin(), context.model.drawbeads().end(),
-                                   [&](const Drawbead& b) { return b.id == draft.interface_id; });
-    if (bead == context.model.drawbeads().end()) return planner.decline("the interface is not known");
+    const Drawbead* bead = drawbead_of(context, draft);
+    if (!bead) return planner.decline("the interface is not known");
     for (BlockIndex i = 0; i < deck.blocks().size(); ++i) {
         const Block& block = deck.blocks()[i];
         const int64_t offset = deck.scope(block.scope).offsets.general;

@@ -18,6 +18,8 @@ void check(const RuleContext& context, FindingSink& sink) {
         Draft draft;
         set_places(draft, places);
         draft.discriminator = std::to_string(group.id);
+        for (const int64_t id : ids)
+            draft.entities.nodes.add(id);
         draft.message = counted(ids.size(), "negative id") + " in node group " + std::to_string(group.id) +
                         " (" + listed(ids) + "): the solver leaves " + (ids.size() == 1 ? "it" : "them") +
                         " out without a message";

@@ -1,6 +1,8 @@
 #include "rules/support.h"
 #include "rules/text.h"
 
+#include <set>
+
 namespace drawbead {
 
 namespace {
@@ -31,15 +33,19 @@ void check(const RuleContext& context, FindingSink& sink) {
     std::vector<Span> places;
     uint64_t count = 0;
     std::string first;
+    std::set<std::string> subjects; // whatever the order in which they were met
     for (const ReadIssue& issue : context.model.issues()) {
         if (issue.kind != ReadIssue::Kind::unknown_node) continue;
         if (places.empty()) first = issue.subject + ": " + issue.detail;
+        subjects.insert(issue.subject + " " + issue.detail);
         places.push_back(issue.place);
         count += issue.count;
     }
     if (count == 0) return;
     Draft draft;
     draft.discriminator = "elements";
+    for (const std::string& subject : subjects)
+        draft.discriminator += ' ' + subject;
     report(counted(count, "element") + " of the main surfaces " + (count == 1 ? "has" : "have") +
                " nodes that do not exist (" + first + (count == 1 ? "" : ", …") + "): the Starter stops",
            places, count, std::move(draft));

@@ -2,6 +2,7 @@
 #include "rules/text.h"
 
 #include <map>
+#include <set>
 
 namespace drawbead {
 
@@ -37,7 +38,8 @@ void check(const RuleContext& context, FindingSink& sink) {
     struct Found {
         std::vector<Span> places;
         uint64_t count = 0;
-        std::string message, discriminator;
+        std::string message;
+        std::set<std::string> subjects; ///< all, whatever the order in which they were met
     };
     std::map<std::pair<ReadIssue::Kind, std::string>, Found> all; // one finding per block and kind
     for (const ReadIssue& issue : context.model.issues()) {
@@ -45,10 +47,8 @@ void check(const RuleContext& context, FindingSink& sink) {
         const Block* block = blocks.at(issue.place);
         const std::string where = block ? header_name(*block) : "the deck";
         Found& found = all[{issue.kind, where}];
-        if (found.places.empty()) {
-            found.message = explain(issue, where);
-            found.discriminator = where + " " + issue.subject + " " + issue.detail;
-        }
+        if (found.places.empty()) found.message = explain(issue, where);
+        found.subjects.insert(issue.subject + " " + issue.detail);
         found.places.push_back(issue.place);
         found.count += issue.count;
     }
@@ -56,7 +56,9 @@ void check(const RuleContext& context, FindingSink& sink) {
         Draft draft;
         set_places(draft, found.places);
         draft.place_count = found.count;
-        draft.discriminator = std::move(found.discriminator);
+        draft.discriminator = key.second;
+        for (const std::string& subject : found.subjects)
+            draft.discriminator += ' ' + subject;
         draft.message = std::move(found.message);
         if (found.count > 1) draft.message += " (first of " + std::to_string(found.count) + ")";
         if (std::string note = lost_include_note(context.deck); !note.empty())

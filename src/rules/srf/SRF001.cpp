@@ -138,7 +138,7 @@ extern const Rule SRF001{{.code = "SRF001",
                           .severity = Severity::error,
                           .fix = FixAvailability::sometimes_safe,
                           .starter_message = 346},
-                         needs_sides,
+                         needs_sides | needs_motion,
                          check,
                          surface_fix_needs,
                          fix_surface};

@@ -1,4 +1,5 @@
 #include "geometry/segment_shape.h"
+#include "rules/limits.h"
 #include "rules/lin/bead_report.h"
 #include "rules/support.h"
 #include "rules/text.h"
@@ -11,8 +12,7 @@ namespace drawbead {
 namespace {
 
 /// Whether the segment has no area to speak of: repeated nodes beyond a triangle, or all corners on a line.
-bool degenerate(const Corners& c) {
-    constexpr double flat = 1e-9; // of the square of its longest side
+bool degenerate(const Corners& c, double flat) {
     double longest = 0;
     for (std::size_t k = 0; k < 4; ++k)
         longest = std::max(longest, squared_norm(c[(k + 1) % 4] - c[k]));
@@ -24,7 +24,7 @@ void check(const RuleContext& context, FindingSink& sink) {
         const NearMesh& near = context.analysis.surfaces[s].near;
         std::vector<uint32_t> found;
         for (uint32_t i = 0; i < near.segment.size(); ++i)
-            if (degenerate(near.corners(i))) found.push_back(i);
+            if (degenerate(near.corners(i), context.limits.SRF006_flat_area)) found.push_back(i);
         if (found.empty()) continue;
         const Surface& surface = context.model.surfaces()[s];
         double fn = 0, total = 0;
@@ -35,6 +35,7 @@ void check(const RuleContext& context, FindingSink& sink) {
                     fn += a.fn_force(i);
             }
         Draft draft;
+        draft.surface_id = surface.id;
         draft.discriminator = "surface " + std::to_string(surface.id);
         for (const uint32_t i : found) {
             const Span place = segment_place(context, surface, near.segment_index[i]);

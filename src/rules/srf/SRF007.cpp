@@ -1,4 +1,5 @@
 #include "contact/solver_search.h"
+#include "rules/limits.h"
 #include "rules/lin/bead_report.h"
 #include "rules/support.h"
 #include "rules/text.h"
@@ -10,8 +11,6 @@
 namespace drawbead {
 
 namespace {
-
-constexpr double noticeable = 0.05; // of the element: as far as the solver itself stretches a segment
 
 struct Misplaced {
     std::size_t node;
@@ -34,7 +33,8 @@ void check(const RuleContext& context, FindingSink& sink) {
             const SolverHit solver = solver_project(c, false, a->x[i]);
             const Vec3 point = patch_point(c, solver.xi, solver.eta);
             const double by = norm(point - exact.foot.point);
-            if (solver.inside && !(by > noticeable * a->hit[i].element)) continue;
+            if (solver.inside && !(by > context.limits.SRF007_misplaced_elements * a->hit[i].element))
+                continue;
             const std::array<double, 4> h = bilinear_weights(exact.foot.xi, exact.foot.eta);
             double share = 0;
             for (std::size_t k = 0; k < 4; ++k)

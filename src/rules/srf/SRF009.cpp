@@ -1,3 +1,4 @@
+#include "rules/limits.h"
 #include "rules/lin/bead_report.h"
 #include "rules/stb/blank.h"
 #include "rules/support.h"
@@ -30,6 +31,9 @@ void check(const RuleContext& context, FindingSink& sink) {
             ft -= a->ft_force(i);
         }
         if (beside.empty()) continue;
+        const double share = length > 0 ? 100 * covered / length : 0;
+        const double spared = context.limits.SRF009_uncovered_share;
+        if (spared > 0 && 100 - share <= 100 * spared) continue;
         const std::vector<Span> places = list_places(context, *a);
         Draft draft = draft_at_position(context, *a, places, beside.front());
         for (const std::size_t i : beside) {
@@ -37,7 +41,6 @@ void check(const RuleContext& context, FindingSink& sink) {
             if (i != beside.front() && draft.related.size() < 99) draft.related.push_back(places[i]);
         }
         draft.place_count = beside.size();
-        const double share = length > 0 ? 100 * covered / length : 0;
         draft.message = counted(beside.size(), "node") + " of " + std::to_string(a->x.size()) + " of " +
                         bead_name(*a->bead) + (beside.size() == 1 ? " stands" : " stand") +
                         " over no segment of surface " + std::to_string(a->surface->id) +

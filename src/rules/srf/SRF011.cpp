@@ -1,3 +1,4 @@
+#include "rules/limits.h"
 #include "rules/lin/bead_report.h"
 #include "rules/support.h"
 #include "rules/text.h"
@@ -15,7 +16,6 @@ bool takes_element_thickness(const Property& p) {
 }
 
 void check(const RuleContext& context, FindingSink& sink) {
-    constexpr double noticeable = 0.01; // of DEPTH
     const UnitSystem& units = context.deck.work_units();
     for (const BeadAnalysis* a : beads_with_nodes(context)) {
         const double depth = a->bead->depth;
@@ -31,7 +31,7 @@ void check(const RuleContext& context, FindingSink& sink) {
                 takes_element_thickness(*property))
                 continue;
             const double shift = (own - property->thickness) / 2; // of where the ramp starts
-            if (std::abs(shift) <= 1e-6 * property->thickness) continue;
+            if (std::abs(shift) <= context.limits.SRF011_least_share * property->thickness) continue;
             segments.push_back(a->hit[i].segment);
             const double share = std::min(std::abs(shift) / depth, 1.0);
             fn += share * std::abs(a->fn_force(i));
@@ -67,7 +67,7 @@ void check(const RuleContext& context, FindingSink& sink) {
                                   std::string(worst > 0 ? "later" : "earlier"));
             ft = 0;
         }
-        if (std::abs(worst) < noticeable * depth) draft.severity = Severity::info;
+        if (std::abs(worst) < context.limits.SRF011_warning_share * depth) draft.severity = Severity::info;
         draft.measured.push_back({"shift of the ramp", worst, unit_name(units, length_dimension)});
         measure_cost(context, *a, fn, ft, draft);
         draft.help = "give such elements a property of their own with this thickness";

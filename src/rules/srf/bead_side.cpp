@@ -125,10 +125,11 @@ Across across(const NearMesh& mesh, uint32_t segment, std::size_t k) {
         if (other == segment) continue;
         const SegmentNodes& o = mesh.segment[other];
         for (std::size_t j = 0; j < 4; ++j) {
-            const uint32_t p = o[j], q = o[(j + 1) % 4];
-            if (!((p == a && q == b) || (p == b && q == a))) continue;
-            if (out.segment != none) return {};
-            out = {other, p == b};
+            if (o[j] != a) continue;
+            const bool ends = o[(j + 3) % 4] == b, begins = o[(j + 1) % 4] == b;
+            if (!ends && !begins) continue;
+            if (out.segment != none || (ends && begins)) return {};
+            out = {other, ends};
         }
     }
     return out;
@@ -189,8 +190,11 @@ BeadSide judge_side(const NearMesh& mesh, std::span<const BeadFoot> feet,
     BeadSide out;
     if (feet.empty()) return out;
     std::vector<std::pair<uint32_t, uint32_t>> all_hops(hops.begin(), hops.end());
+    std::vector<bool> in_hop(feet.size(), false);
+    for (const auto& [a, b] : hops)
+        in_hop[a] = in_hop[b] = true;
     for (uint32_t i = 0; i < feet.size(); ++i) // so that a foot without hops has a zone, too
-        all_hops.emplace_back(i, i);
+        if (!in_hop[i]) all_hops.emplace_back(i, i);
     const LineGrid line(feet, all_hops, limits.reach);
 
     // The zone: start segments and every segment with a node in reach.

@@ -1,3 +1,4 @@
+#include "rules/limits.h"
 #include "rules/lin/bead_report.h"
 #include "rules/stb/viscous.h"
 #include "rules/support.h"
@@ -9,7 +10,7 @@ namespace {
 
 void check(const RuleContext& context, FindingSink& sink) {
     const UnitSystem& units = context.deck.work_units();
-    const double press = press_speed * units.time / units.length;
+    const double press = context.limits.STB005_speed_m_per_s * units.time / units.length;
     const std::string speed_unit =
         unit_name(units, length_dimension) + "/" + unit_name(units, time_dimension);
     const auto speed = [&](double v) { return number(v) + " " + speed_unit; };
@@ -19,7 +20,7 @@ void check(const RuleContext& context, FindingSink& sink) {
         const double needed = bead->speed_to_limit(), reached = bead->restraint(press),
                      share = 100 * reached / bead->limit();
         Draft draft = draft_at(context, *a->bead, cells_of(*a->bead).iform);
-        if (share > 50) draft.severity = Severity::info;
+        if (share > 100 * context.limits.STB005_info_share) draft.severity = Severity::info;
         draft.message =
             "the viscous form of " + bead_name(*a->bead) + " reaches Ft only where the sheet slides at " +
             speed(needed) + "; at " + speed(press) + ", the speed of a press, it holds with " +

@@ -1,7 +1,9 @@
 #include "rules/stb/blank.h"
 
+#include "geometry/segment_shape.h"
 #include "rules/analysis.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace drawbead {
@@ -16,7 +18,35 @@ bool mixed(const SurfaceStiffness& stiffness, std::size_t segments) {
     return false;
 }
 
+/// What the element behind a segment gives to each of its nodes; empty where that is not known.
+std::optional<double> mass_per_node(const Model& model, const Segment& s, const Corners& c) {
+    const Material* material = model.material_of(s);
+    const Property* property = model.property_of(s);
+    if (s.kind == ElementKind::none || s.kind == ElementKind::solid) return std::nullopt;
+    if (material == nullptr || property == nullptr || !property->has_thickness) return std::nullopt;
+    const double own = model.own_thickness(s);
+    const double mass = material->density * area(c) * (own > 0 ? own : property->thickness);
+    return mass / (s.kind == ElementKind::shell3 ? 3 : 4);
+}
+
 } // namespace
+
+std::optional<double> node_mass(const Model& model, const Surface& surface, const NearMesh& near,
+                                uint32_t local) {
+    double sum = 0;
+    for (const uint32_t around : near.segments_around(local)) {
+        const uint32_t segment = near.segment_index[around];
+        const auto coated = std::lower_bound(surface.coated.begin(), surface.coated.end(), segment,
+                                             [](const CoatedSolid& c, uint32_t s) { return c.segment < s; });
+        if (coated != surface.coated.end() && coated->segment == segment)
+            return std::nullopt; // the solid behind has mass too
+        const auto mass =
+            mass_per_node(model, surface.segments[near.segment_index[around]], near.corners(around));
+        if (!mass) return std::nullopt;
+        sum += *mass;
+    }
+    return sum;
+}
 
 const InterfaceContact* first_cycle(const RuleContext& context, const BeadAnalysis& a) {
     const std::vector<InterfaceContact>& all = context.analysis.contact.interfaces;

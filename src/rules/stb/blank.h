@@ -1,6 +1,7 @@
 #pragma once
 // The stiffness of the sheet as rules see it: the ramp of a bead's normal force over its segments.
 #include "contact/blank_stiffness.h"
+#include "contact/segment_mesh.h"
 #include "rules/rule.h"
 #include "scene/deck_contact.h"
 
@@ -18,6 +19,10 @@ const InterfaceContact* first_cycle(const RuleContext&, const BeadAnalysis&);
 /// Stiffness of the segments of the bead's surface; nullptr when it has none, or when a modulus or thickness
 /// behind it is not known for sure. Needs analysis_contact.
 const SurfaceStiffness* known_stiffness(const RuleContext&, const BeadAnalysis&);
+
+/// Mass of a local node from the shells of the surface around it; empty where one of them is no shell or not
+/// known. Needs the thickness of elements.
+std::optional<double> node_mass(const Model&, const Surface&, const NearMesh&, uint32_t local);
 
 /// How the normal force of a bead grows, from the segments that the solver starts with.
 struct BeadRamp {

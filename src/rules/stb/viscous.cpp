@@ -1,6 +1,5 @@
 #include "rules/stb/viscous.h"
 
-#include "geometry/segment_shape.h"
 #include "rules/analysis.h"
 #include "rules/stb/blank.h"
 
@@ -11,28 +10,15 @@ namespace drawbead {
 
 namespace {
 
-/// What the element behind a segment gives to each of its nodes; empty where that is not known.
-std::optional<double> mass_per_node(const Model& model, const Segment& s, const Corners& c) {
-    const Material* material = model.material_of(s);
-    const Property* property = model.property_of(s);
-    if (s.kind == ElementKind::none || s.kind == ElementKind::solid) return std::nullopt;
-    if (material == nullptr || property == nullptr || !property->has_thickness) return std::nullopt;
-    const double own = model.own_thickness(s);
-    const double mass = material->density * area(c) * (own > 0 ? own : property->thickness);
-    return mass / (s.kind == ElementKind::shell3 ? 3 : 4);
-}
-
 /// Mean mass of the four nodes of a segment, from the shells of the surface around them.
 std::optional<double> mean_mass(const Model& model, const Surface& surface, const NearMesh& near,
                                 uint32_t local) {
     double sum = 0;
-    for (const uint32_t node : near.segment[local])
-        for (const uint32_t around : near.segments_around(node)) {
-            const auto mass =
-                mass_per_node(model, surface.segments[near.segment_index[around]], near.corners(around));
-            if (!mass) return std::nullopt;
-            sum += *mass;
-        }
+    for (const uint32_t node : near.segment[local]) {
+        const auto mass = node_mass(model, surface, near, node);
+        if (!mass) return std::nullopt;
+        sum += *mass;
+    }
     return sum / 4;
 }
 

@@ -30,7 +30,4 @@ struct ViscousBead {
 /// the shells of the surface. Needs analysis_sides and analysis_contact, and the thickness of elements.
 std::optional<ViscousBead> viscous_bead(const RuleContext&, const BeadAnalysis&);
 
-/// 0.1 m/s, about what a press does while it forms.
-inline constexpr double press_speed = 0.1;
-
 } // namespace drawbead

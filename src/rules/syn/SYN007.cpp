@@ -2,6 +2,7 @@
 #include "rules/text.h"
 
 #include <map>
+#include <set>
 
 namespace drawbead {
 
@@ -69,6 +70,11 @@ void check(const RuleContext& context, FindingSink& sink) {
         set_places(draft, places);
         draft.place_count = twins.count;
         draft.discriminator = family;
+        std::set<std::string> subjects; // whatever the order in which they were met
+        for (const ReadIssue* issue : twins.issues)
+            subjects.insert(issue->subject);
+        for (const std::string& subject : subjects)
+            draft.discriminator += " " + subject;
         if (!used_by_beads(family)) draft.severity = Severity::warning;
         draft.message = twins.issues.front()->subject + " is defined twice";
         if (twins.count > 1) draft.message += " (first of " + std::to_string(twins.count) + ")";
