@@ -54,8 +54,17 @@ public:
             out.push_back(find_motion(one));
         const auto known = static_cast<std::size_t>(
             std::count_if(out.begin(), out.end(), [](const BeadPath& path) { return path.known(); }));
+        std::vector<Followed> all;
         for (std::size_t b = 0; b < out.size(); ++b)
-            if (out[b].known()) follow(contact_.interfaces[b], most_queries / known, out[b]);
+            if (out[b].known()) all.push_back(prepare(contact_.interfaces[b], most_queries / known, out[b]));
+        for (uint32_t s = 0; s < contact_.surfaces.size(); ++s) {
+            std::vector<Followed*> beads;
+            for (Followed& one : all)
+                if (one.path->known() && *one.contact->bead->surface == s) beads.push_back(&one);
+            find_closest(s, beads);
+        }
+        for (Followed& one : all)
+            if (one.path->known()) finish(one);
         return out;
     }
 
@@ -91,16 +100,34 @@ private:
         return path;
     }
 
-    void follow(const InterfaceContact& one, std::size_t queries, BeadPath& path) {
+    /// A bead on its way.
+    struct Followed {
+        const InterfaceContact* contact = nullptr;
+        BeadPath* path = nullptr;
+        std::vector<double> time;
+        std::map<std::string, Sampled> motions; ///< of its nodes, by key
+        std::vector<const Sampled*> of_node;
+        Sampled blank;
+        // By sampled node, then time:
+        std::vector<Vec3> seen;      ///< where it is, as the blank sees it
+        std::vector<ClosestHit> hit; ///< what is closest to it
+        const NearMesh* mesh = nullptr;
+        bool moved = false; ///< some are not those of the first cycle
+    };
+
+    Followed prepare(const InterfaceContact& one, std::size_t queries, BeadPath& path) {
         const Drawbead& bead = *one.bead;
-        const NearMesh& mesh = contact_.surfaces[*bead.surface].mesh;
+        Followed out;
+        out.contact = &one;
+        out.path = &path;
+        out.mesh = &contact_.surfaces[*bead.surface].mesh;
+        const NearMesh& mesh = *out.mesh;
         if (mesh.segment.empty()) {
             path.unknown = "no segment is near";
-            return;
+            return out;
         }
-        const Motion still;
-        std::map<std::string, Sampled> motions;
-        std::vector<const Sampled*> of_node;
+        auto& motions = out.motions;
+        auto& of_node = out.of_node;
         for (const NodeRow row : one.group->nodes) {
             const ClassMotion& known = classes_.of(row);
             Sampled& sampled = motions[known.key];
@@ -108,14 +135,14 @@ private:
             of_node.push_back(&sampled);
             path.bead_moves = path.bead_moves || !known.motion->at_rest();
         }
-        Sampled blank;
-        blank.motion = path.blank_known() ? &*classes_.of(NodeRow{mesh.node_row.front()}).motion : &still;
+        Sampled& blank = out.blank;
+        blank.motion = path.blank_known() ? &*classes_.of(NodeRow{mesh.node_row.front()}).motion : &still_;
         path.blank_moves = !blank.motion->at_rest();
 
         std::vector<const Motion*> all{blank.motion};
         for (const auto& [key, sampled] : motions)
             all.push_back(sampled.motion);
-        const std::vector<double> time = times(bead, all, path);
+        const std::vector<double>& time = out.time = times(bead, all, path);
         for (auto& [key, sampled] : motions)
             for (const double t : time)
                 sampled.at.push_back(sampled.motion->placement(t));
@@ -133,65 +160,81 @@ private:
             path.node.push_back(node);
         }
 
-        // Bead nodes as the blank sees them, and what is closest to them.
         const std::size_t steps = time.size();
-        std::vector<Vec3> seen(path.node.size() * steps);
+        std::vector<Vec3>& seen = out.seen;
+        seen.resize(path.node.size() * steps);
         for (std::size_t i = 0; i < path.node.size(); ++i) {
             const uint32_t place = path.node[i].place;
             for (std::size_t k = 0; k < steps; ++k)
                 seen[i * steps + k] = blank.at[k].back(of_node[place]->at[k](one.x[place]));
         }
-        std::vector<ClosestHit> hit(seen.size());
-        NearMesh larger;
-        const NearMesh* used = &mesh;
         // Where a node has not moved, the contact of the first cycle has the answer.
-        bool moved = false;
+        out.hit.resize(seen.size());
         for (std::size_t i = 0; i < path.node.size(); ++i) {
             const uint32_t place = path.node[i].place;
             const ClosestHit& start = one.contact.node[place].exact;
             for (std::size_t k = 0; k < steps; ++k)
                 if (start.found() && start.exact && seen[i * steps + k] == one.x[place])
-                    hit[i * steps + k] = start;
+                    out.hit[i * steps + k] = start;
                 else
-                    moved = true;
+                    out.moved = true;
         }
-        if (moved && !find_all(tree_of(*bead.surface), mesh, seen, hit)) {
-            std::vector<Vec3> near;
-            std::copy_if(seen.begin(), seen.end(), std::back_inserter(near),
-                         [&](Vec3 x) { return !is_far(mesh, x); });
-            larger = mesh_for_closest(segment_mesh(model_, *one.surface), near, 0, request_.threads);
-            used = &larger;
-            hit.assign(seen.size(), {});
-            if (!find_all(ClosestSegment(larger), larger, seen, hit) || !moves_alike(larger, path)) {
-                path = {};
-                path.unknown = "the bead comes to a part of the blank that moves differently";
-                return;
-            }
+        return out;
+    }
+
+    /// What is closest to the nodes of all beads of a surface: in the part of it that the contact has made,
+    /// else in one that is large enough for all.
+    void find_closest(uint32_t surface, const std::vector<Followed*>& beads) {
+        std::vector<Followed*> far;
+        std::vector<Vec3> points;
+        for (Followed* one : beads) {
+            if (!one->moved || find_all(tree_of(surface), *one->mesh, one->seen, one->hit)) continue;
+            far.push_back(one);
+            std::copy_if(one->seen.begin(), one->seen.end(), std::back_inserter(points),
+                         [&](Vec3 x) { return !is_far(*one->mesh, x); });
         }
+        if (far.empty()) return;
+        NearMesh& larger = larger_[surface];
+        larger =
+            mesh_for_closest(segment_mesh(model_, model_.surfaces()[surface]), points, 0, request_.threads);
+        const ClosestSegment tree(larger);
+        for (Followed* one : far) {
+            one->mesh = &larger;
+            one->hit.assign(one->seen.size(), {});
+            if (find_all(tree, larger, one->seen, one->hit) && moves_alike(larger, *one->path)) continue;
+            *one->path = {};
+            one->path->unknown = "the bead comes to a part of the blank that moves differently";
+        }
+    }
+
+    void finish(const Followed& one) {
+        BeadPath& path = *one.path;
+        const Drawbead& bead = *one.contact->bead;
+        const std::size_t steps = one.time.size();
         for (std::size_t i = 0; i < path.node.size(); ++i)
-            if (!hit[i * steps].found()) {
+            if (!one.hit[i * steps].found()) {
                 path = {};
                 path.unknown = "the bead starts far away from the blank";
                 return;
             }
 
         for (std::size_t i = 0; i < path.node.size() && path.blank_known(); ++i)
-            for (std::size_t k = 1; k < steps && time[k] <= bead.t_stop; ++k)
-                path.travel = std::max(
-                    path.travel, along(seen[i * steps + k] - seen[i * steps], hit[i * steps].foot.normal));
+            for (std::size_t k = 1; k < steps && one.time[k] <= bead.t_stop; ++k)
+                path.travel = std::max(path.travel, along(one.seen[i * steps + k] - one.seen[i * steps],
+                                                          one.hit[i * steps].foot.normal));
         const SurfaceStiffness& stiffness = *contact_.surfaces[*bead.surface].stiffness;
         parallel_for(request_.threads, path.node.size(), [&](std::size_t i) {
             NodePath& node = path.node[i];
             const Walk walk{bead,
-                            *used,
+                            *one.mesh,
                             stiffness,
-                            time,
-                            *of_node[node.place],
-                            blank,
-                            &seen[i * steps],
-                            &hit[i * steps],
-                            one.x[node.place],
-                            one.line.half_chord[node.place]};
+                            one.time,
+                            *one.of_node[node.place],
+                            one.blank,
+                            &one.seen[i * steps],
+                            &one.hit[i * steps],
+                            one.contact->x[node.place],
+                            one.contact->line.half_chord[node.place]};
             walk_along(walk, path, node);
         });
     }
@@ -354,7 +397,10 @@ private:
     const DeckContact& contact_;
     const PathRequest& request_;
     ClassMotions classes_;
-    std::map<uint32_t, std::unique_ptr<const ClosestSegment>> trees_; ///< by surface
+    const Motion still_;
+    // By surface:
+    std::map<uint32_t, std::unique_ptr<const ClosestSegment>> trees_;
+    std::map<uint32_t, NearMesh> larger_;
 };
 
 } // namespace
