@@ -20,9 +20,9 @@ std::string digits(double value, int count) {
     return text;
 }
 
-/// A relative error in percent: two digits, "0" where it is rounding of a double.
+/// A relative error in percent: two digits, "0" where it is rounding of doubles.
 std::string percent(double value) {
-    return value < 5e-15 ? "0" : digits(100 * value, 2);
+    return value < 1e-12 ? "0" : digits(100 * value, 2);
 }
 
 std::string with_unit(double value, const std::string& unit) {
@@ -123,7 +123,8 @@ void write_accuracy_text(OutputSink& out, const AccuracyReport& r, bool all) {
     out.write(terminal_safe(r.scene) + ": " + terminal_safe(r.deck) + ", manual law to " +
               with_unit(r.end, r.time_unit) + "\n\n");
     out.write("reference (" + r.reading + "), " + std::to_string(r.reference_evaluations) +
-              " evaluations; two resolutions of it agree to " + digits(100 * r.reference_error, 2) + " %\n");
+              " evaluations; two resolutions of it agree to " +
+              (r.reference_error < 1e-12 ? "rounding" : digits(100 * r.reference_error, 2) + " %") + "\n");
     write_beads(out, r);
     out.write(all ? "\nsettings\n"
                   : "\nsettings on the front (--all for every one of " + std::to_string(r.rows.size()) +

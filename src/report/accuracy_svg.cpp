@@ -10,7 +10,7 @@ namespace drawbead {
 
 namespace {
 
-constexpr double width = 860, height = 560, left = 90, right = 210, top = 50, bottom = 70;
+constexpr double width = 860, height = 560, left = 104, right = 210, top = 50, bottom = 70;
 constexpr double least_error = 1e-10; ///< what is smaller is drawn here
 
 std::string fixed(double value) {

@@ -299,9 +299,10 @@ private:
             for (std::size_t level = coarsest; level <= last_level_ && !out_.rim; ++level) {
                 ManualSettings s = columns[c];
                 s.steps = steps_at(level);
-                // Twice as many steps cost twice as much.
-                if (level > coarsest && 2 * out_.rows.back().cost.evaluations > options_.most_evaluations)
-                    break;
+                // Twice as many steps cost twice as much; what lines cost is seen with fewer.
+                const uint64_t most = s.line.kind == LineRule::Kind::nodes ? options_.most_evaluations
+                                                                           : options_.most_evaluations / 2;
+                if (level > coarsest && 2 * out_.rows.back().cost.evaluations > most) break;
                 say(c, columns.size(), brief(s));
                 StudyRow row = measured(s);
                 const double error = row.error();
