@@ -86,7 +86,7 @@ private:
         }
         if (kind == YamlNode::Kind::list || kind == YamlNode::Kind::map)
             throw Refused{mark, "a key must be a word", ""};
-        return entries.emplace_back(std::move(node), YamlNode{}).first;
+        return entries.emplace_back(YamlEntry{std::move(node), {}}).first;
     }
 };
 

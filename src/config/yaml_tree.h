@@ -6,20 +6,26 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace drawbead {
+
+struct YamlEntry;
 
 struct YamlNode {
     enum class Kind : uint8_t { empty, scalar, list, map };
     Kind kind = Kind::empty;
     std::string text; ///< of a scalar
     bool quoted = false;
-    std::vector<YamlNode> items;                        ///< of a list
-    std::vector<std::pair<YamlNode, YamlNode>> entries; ///< of a map, in the order of the file
-    uint64_t line = 0;                                  ///< from 1
+    std::vector<YamlNode> items;    ///< of a list
+    std::vector<YamlEntry> entries; ///< of a map, in the order of the file
+    uint64_t line = 0;              ///< from 1
     uint32_t column = 0;
+};
+
+/// A key and its value.
+struct YamlEntry {
+    YamlNode first, second;
 };
 
 /// An error has the place in the text, with `path` as the file. An empty text is an empty node. Keys of one

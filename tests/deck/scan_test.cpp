@@ -57,3 +57,23 @@ TEST_CASE("places are lines and columns from 1, with any line end and without th
     CHECK(file.next_line(8) == 10);
     CHECK(SourceFile("empty", FileBytes(""), 1).lines() == 0);
 }
+
+TEST_CASE("comments that begin with a word and a colon are noted, wherever chunks end") {
+    const std::string long_word(40, 'w');
+    const std::string lines =
+        "# word: x\n#word:\n#\tTwo: \n # indented: no\n# 12: no\n#: no\n# two words: no\n#include x\n"
+        "# " +
+        long_word + ": no\nx # later: no\n# last:";
+    for (std::size_t shift = 0; shift < 130; ++shift) {
+        const std::string text = std::string(shift, ' ') + "\n" + lines;
+        const LineScan scan = scan_lines(text, 1);
+        std::vector<uint64_t> expected;
+        for (const char* line : {"# word: x", "#word:", "#\tTwo:", "# last:"})
+            expected.push_back(text.find(line));
+        CHECK(scan.remarks == expected);
+        CHECK(scan.marks == std::vector<uint64_t>{text.find("#include")});
+    }
+    CHECK(scan_lines("#", 1).remarks.empty());
+    CHECK(scan_lines("# a", 1).remarks.empty());
+    CHECK(scan_lines("# a:", 1).remarks.size() == 1);
+}

@@ -143,7 +143,10 @@ TEST_CASE("blocks that move into an include keep their fingerprints") {
             (at <= begin ? head : moved) += *at;
         texts["moved.inc"] = moved;
         main = head + "#include moved.inc\n" + blocks.back();
-        CHECK(prints_of(literate::run_texts(texts)) == before);
+        // An include may bring a finding of its own (SYN011), and takes none away.
+        const std::vector<std::string> after = prints_of(literate::run_texts(texts));
+        INFO(after.size() << " after, " << before.size() << " before");
+        CHECK(std::includes(after.begin(), after.end(), before.begin(), before.end()));
     });
     CHECK(tried > 100);
 }

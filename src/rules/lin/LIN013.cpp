@@ -11,7 +11,10 @@ namespace drawbead {
 namespace {
 
 void check(const RuleContext& context, FindingSink& sink) {
-    const std::vector<const BeadAnalysis*> beads = beads_with_nodes(context);
+    std::vector<const BeadAnalysis*> beads = beads_with_nodes(context);
+    // So that the same pair is told alike whatever the order of the blocks.
+    std::stable_sort(beads.begin(), beads.end(),
+                     [](const auto* p, const auto* q) { return p->bead->id < q->bead->id; });
     // The first bead of each node, and for each pair of beads the positions in the second one's list.
     std::map<NodeRow, std::size_t> first_bead;
     std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>> shared;

@@ -53,6 +53,9 @@ void check(const RuleContext& context, FindingSink& sink) {
     for (const BeadAnalysis* a : beads_with_order(context))
         if (!a->check.scrambled && !a->check.too_short) beads.push_back(a);
     if (beads.size() < 2) return;
+    // So that the same pair is told alike whatever the order of the blocks.
+    std::stable_sort(beads.begin(), beads.end(),
+                     [](const auto* p, const auto* q) { return p->bead->id < q->bead->id; });
     std::vector<LineHops> lines;
     for (const BeadAnalysis* a : beads)
         lines.push_back(hops_of(*a));
