@@ -229,7 +229,7 @@ int run(const CheckCommand& command) {
         if (!result) stop = true;
         if (stop) return;
         const Settings holds = settings->of(taken++);
-        known->take(result, holds.selection());
+        known->take(*result, holds.selection());
         std::vector<DeckResult> one;
         one.push_back(std::move(*result));
         const DeckResult& deck = one.front();
