@@ -436,6 +436,8 @@ std::optional<UsageError> Parser::finish_accuracy() {
     if (accuracy_values_.file == "-") accuracy_values_.file.clear();
     if (accuracy_->parsed() && accuracy_values_.path.empty() && !accuracy_values_.hard_cases)
         return UsageError{"accuracy needs a scene or --hard-cases", "see 'drawbead accuracy --help'"};
+    if (accuracy_values_.hard_cases && accuracy_values_.format == AccuracyCommand::Format::csv)
+        return UsageError{"--hard-cases prints no csv", "please give --format text or json"};
     if (within_.empty()) return std::nullopt;
     const bool percent = within_.back() == '%';
     double number = 0;

@@ -100,7 +100,7 @@ class Completion(CommandLineTest):
         self.assertEqual(self.complete("check", "--format", "=", "j"), ["json", "jsonl", "junit"])
         self.assertEqual(self.complete("merge", "--format", "="),
                          ["json", "jsonl", "csv", "sarif", "junit", "github", "gitlab", "full", "concise"])
-        self.assertEqual(self.complete("check", "--sh"), ["--shard"])
+        self.assertEqual(self.complete("check", "--sh"), ["--shard", "--show-config"])
         self.assertEqual(self.complete("check", "a"), ["a b_0000.rad"])
         self.assertEqual(self.complete("check", "--include-path", ""), ["parts"])
         self.assertEqual(self.complete("check", "--select", "REF00")[:2], ["REF001", "REF002"])

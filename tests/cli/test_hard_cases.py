@@ -43,9 +43,11 @@ class HardCases(CommandLineTest):
         self.assertIn("nowhere", err)
 
     def test_usage(self):
-        self.assert_usage_error("--format knows no 'yaml'; please give one of text, json", "accuracy", "--hard-cases",
+        self.assert_usage_error("--format knows no 'yaml'; please give one of text, json, csv", "accuracy", "--hard-cases",
                                 "--format", "yaml")
         self.assert_usage_error("unknown option '--hard-case'; did you mean '--hard-cases'?", "accuracy", "--hard-case")
+        self.assert_usage_error("--hard-cases prints no csv; please give --format text or json", "accuracy", "--hard-cases",
+                                "--format", "csv")
         self.assert_usage_error("accuracy needs a scene or --hard-cases; see 'drawbead accuracy --help'", "accuracy")
 
 
