@@ -69,16 +69,15 @@ void check_list(BeadAnalysis& a, const LineLimits& limits) {
 }
 
 /// Of how many nodes one is enough to see whether there is another layer: of a bead whose nodes are closer
-/// than the elements under it, one per four elements, but 8 of them at least; of a long one, 96.
+/// than the elements under it, one per element, but 8 of them at least; of a long one, 96.
 std::size_t layer_step(const BeadAnalysis& a) {
     constexpr std::size_t most = 96, least = 8;
-    constexpr double elements = 4;
     double element = std::numeric_limits<double>::infinity();
     for (const BeadHit& h : a.hit)
         element = std::min(element, h.element);
     const std::size_t count = a.hit.size();
     const double hop = count > 1 ? a.line.length / static_cast<double>(count - 1) : 0;
-    const double nodes = hop > 0 ? std::min(elements * element / hop, 1e6) : 1;
+    const double nodes = hop > 0 ? std::min(element / hop, 1e6) : 1;
     const std::size_t close = std::min(static_cast<std::size_t>(nodes), count / least);
     return std::max({std::size_t{1}, count / most, close});
 }
