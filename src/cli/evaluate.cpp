@@ -260,6 +260,7 @@ private:
 /// Runs of all beads under all laws.
 struct Runs {
     std::vector<std::vector<std::unique_ptr<BeadRun>>> of_law; ///< [law][bead]
+    std::vector<std::vector<double>> seconds;                  ///< that their steps took, likewise
 
     bool at_rim() const {
         for (const auto& runs : of_law)
@@ -275,6 +276,7 @@ Runs make_runs(const Loaded& loaded, const Prepared& prepared, EffectSet forced)
         runs.of_law.emplace_back();
         const Law law = prepared.laws[l];
         const EvaluationScene& scene = prepared.scene_of(law);
+        runs.seconds.emplace_back(scene.beads.size(), 0.0);
         for (std::size_t b = 0; b < scene.beads.size(); ++b) {
             if (law == Law::manual && prepared.stepped)
                 runs.of_law.back().push_back(make_stepped_run(scene, b, *loaded.scene.accuracy));
@@ -311,7 +313,10 @@ Result<void> advance(const Loaded& loaded, const Prepared& prepared, Runs& runs,
         const std::size_t end = std::min(begin + block, count);
         parallel_for(loaded.threads, beads * prepared.laws.size(), [&](std::size_t piece) {
             const std::size_t own = prepared.scene_of(prepared.laws[piece / beads]).time.size();
+            const auto began = Clock::now();
             runs.of_law[piece / beads][piece % beads]->advance(std::min(begin, own), std::min(end, own));
+            runs.seconds[piece / beads][piece % beads] +=
+                std::chrono::duration<double>(Clock::now() - began).count();
         });
         if (runs.at_rim()) return {};
         if (files)
@@ -330,6 +335,21 @@ Result<void> advance(const Loaded& loaded, const Prepared& prepared, Runs& runs,
         for (auto& run : of_law)
             run->finish();
     return {};
+}
+
+/// How long the steps took, by law.
+void say_times(const Prepared& prepared, const Runs& runs) {
+    for (std::size_t l = 0; l < prepared.laws.size(); ++l) {
+        const EvaluationScene& scene = prepared.scene_of(prepared.laws[l]);
+        double count = 0, seconds = 0;
+        for (std::size_t b = 0; b < scene.beads.size(); ++b) {
+            count += static_cast<double>(scene.beads[b].x.size() * scene.time.size());
+            seconds += runs.seconds[l][b];
+        }
+        say("law " + std::string(name(prepared.laws[l])) + ": " + number(count, 12) +
+            " steps of bead nodes in " + number(seconds, 3) + " s, " +
+            number(count > 0 ? 1e9 * seconds / count : 0, 3) + " ns each");
+    }
 }
 
 /// Magnitudes far from what forming knows can leave the range of numbers; what is not a number is no result.
@@ -664,6 +684,7 @@ int run(const EvaluateCommand& command) {
             out->write("\nproof\n" + text);
     }
     if (const int written = finish(*out); written != exit_clean) return written;
+    if (command.statistics && !command.plan_only) say_times(*prepared, runs);
     return status;
 }
 

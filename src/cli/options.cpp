@@ -297,6 +297,8 @@ Parser::Parser() {
         ->allow_extra_args(false);
     evaluate_->add_flag("--prove", evaluate_values_.prove,
                         "Compute everything with all effects too: the same bits, or exit status 3");
+    evaluate_->add_flag("--statistics", evaluate_values_.statistics,
+                        "Say on standard error how long the steps took");
     evaluate_->add_flag("-q,--quiet", evaluate_values_.quiet, "No progress");
     evaluate_law_ =
         &choice(evaluate_, "--law", {"scene", "solver", "manual", "both"}, "Instead of the scene's law");

@@ -124,7 +124,8 @@ struct EvaluateCommand {
     std::optional<uint64_t> every;   ///< likewise
     std::vector<std::string> force_effects;
     bool prove = false, plan_only = false, json = false, quiet = false;
-    std::string file; ///< empty: standard output
+    bool statistics = false; ///< say how long the steps took
+    std::string file;        ///< empty: standard output
     ReadArguments reading;
 };
 

@@ -160,6 +160,13 @@ motion:
         status, out, _ = self.run_tool("plan", deck, "--end", "1.6e-4", "--law", "solver")
         self.assertIn("approach down to -1.6 mm <= DEPTH + t/2 = 5.5 mm", out)
 
+    def test_statistics(self):
+        deck, trace = scene("twoside_bad")
+        status, _, err = self.run_tool("evaluate", deck, "--trace", trace, "--statistics", "-q")
+        self.assertEqual(status, 0)
+        for line, law in zip(err.splitlines(), ("solver", "manual"), strict=True):
+            self.assertRegex(line, rf"^law {law}: \d+ steps of bead nodes in \S+ s, \S+ ns each$")
+
     def test_vtu(self):
         deck, trace = scene("twoside_bad")
         status, _, err = self.run_tool("evaluate", deck, "--trace", trace, "--vtu", "series", "--csv", "rows.csv",
