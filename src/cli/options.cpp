@@ -45,6 +45,18 @@ std::optional<OutputTarget> named_target(const std::string& word) {
     return OutputTarget{*format, file == "-" ? "" : file};
 }
 
+/// What is wrong with a word that is no FORMAT=FILE; empty when it can be a file.
+std::optional<Error> wrong_target(const std::string& word) {
+    if (format_from(word))
+        return Error{"--output " + word + " names a format and no file", "", 0, 0,
+                     "write " + word + "=FILE, or ./" + word + " for a file of this name"};
+    if (const std::size_t sign = word.find('='); sign != std::string::npos)
+        if (const std::string help = did_you_mean(word.substr(0, sign), report_formats); !help.empty())
+            return Error{"--output knows no format '" + word.substr(0, sign) + "'", "", 0, 0,
+                         help + " (./" + word + " for a file of this name)"};
+    return std::nullopt;
+}
+
 /// Where results go: each FORMAT=FILE, and one place for `format` when it was asked for or there is nothing
 /// else.
 Result<std::vector<OutputTarget>> targets(const Words& outputs, Format format, bool asked_for) {
@@ -54,13 +66,8 @@ Result<std::vector<OutputTarget>> targets(const Words& outputs, Format format, b
         std::optional<OutputTarget> target = named_target(word);
         if (target && target->file.empty() && word.back() == '=')
             return Error{"--output " + word + " names no file", "", 0, 0, "- stands for standard output"};
-        if (!target && format_from(word))
-            return Error{"--output " + word + " names a format and no file", "", 0, 0,
-                         "write " + word + "=FILE, or ./" + word + " for a file of this name"};
-        if (const std::size_t sign = word.find('='); !target && sign != std::string::npos)
-            if (const std::string help = did_you_mean(word.substr(0, sign), report_formats); !help.empty())
-                return Error{"--output knows no format '" + word.substr(0, sign) + "'", "", 0, 0,
-                             help + " (./" + word + " for a file of this name)"};
+        if (!target)
+            if (std::optional<Error> wrong = wrong_target(word)) return *std::move(wrong);
         if (!target) {
             if (placed)
                 return Error{"--output '" + word + "' is a second file for one format", "", 0, 0,

@@ -497,7 +497,6 @@ private:
             if (law.fn_last == 0 && law.ft_last == 0) continue;
             const std::size_t last = bead.x.size() - 1;
             std::vector<double> s(bead.x.size(), 0.0);
-            double chords = 0;
             for (std::size_t i = 1; i <= last; ++i)
                 s[i] = s[i - 1] + distance(bead.x[i - 1], bead.x[i]);
             if (!(s[last] > 0) || distance(bead.x[0], bead.x[last]) < s[last] * (1 - 1e-12)) continue;
@@ -508,7 +507,6 @@ private:
                 for (std::size_t i = 0; i <= last; ++i) {
                     const double L = 0.5 * norm(bead.x[std::min(i + 1, last)] - bead.x[i > 0 ? i - 1 : 0]);
                     sum += (first + s[i] / s[last] * (end - first)) * L;
-                    chords += L;
                 }
                 const double exact = 0.5 * (first + end) * s[last];
                 worst = std::max(worst, std::abs(sum - exact) / exact);
