@@ -2,8 +2,10 @@
 
     mutate_plan.py BUILD_FOLDER
 
-Builds the tests of the evaluator with src/force/plan.cpp changed; the file is put back at the end."""
+Builds the tests of the evaluator once, with src/force/plan.cpp changed so that a variable of the environment says which
+effect is off; the file is put back, and built again, at the end."""
 
+import os
 import pathlib
 import subprocess
 import sys
@@ -11,6 +13,10 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PLAN = ROOT / "src" / "force" / "plan.cpp"
 ANCHOR = "        return std::move(plan_);\n"
+SWITCH = """        if (const char* number = std::getenv("DRAWBEAD_MUTANT"))
+            plan_.effect[static_cast<std::size_t>(std::atoi(number))].verdict = V::off;
+"""
+# As drawbead::Effect.
 EFFECTS = ["window", "search", "normal", "ramp", "thickness", "reset", "ft_ramp", "variation", "viscous",
            "incremental", "stick_reset", "moving", "deforming_blank", "moving_tool", "edge", "energy"]
 
@@ -20,9 +26,10 @@ def build(folder):
                    stdout=subprocess.DEVNULL)
 
 
-def passes(folder):
+def passes(folder, number=None):
+    environment = dict(os.environ) if number is None else {**os.environ, "DRAWBEAD_MUTANT": str(number)}
     return all(subprocess.run([f"{folder}/tests/{room}/test_{room}", *names], stdout=subprocess.DEVNULL,
-                              check=False).returncode == 0
+                              env=environment, check=False).returncode == 0
                for room, names in (("force", []), ("scene", ["evaluation*"])))
 
 
@@ -32,17 +39,17 @@ def main():
     assert text.count(ANCHOR) == 1
     survivors = []
     try:
-        for effect in EFFECTS:
-            PLAN.write_text(text.replace(ANCHOR, f"        plan_[Effect::{effect}].verdict = V::off;\n" + ANCHOR))
-            build(folder)
-            if passes(folder):
+        PLAN.write_text("#include <cstdlib>\n" + text.replace(ANCHOR, SWITCH + ANCHOR))
+        build(folder)
+        if not passes(folder):
+            sys.exit("the tests fail without a change too")
+        for number, effect in enumerate(EFFECTS):
+            if passes(folder, number):
                 survivors.append(effect)
             print(effect, "survives" if effect in survivors else "is noticed", flush=True)
     finally:
         PLAN.write_text(text)
-    build(folder)
-    if not passes(folder):
-        sys.exit("the tests fail without a change too")
+        build(folder)
     if survivors:
         sys.exit("nobody notices that these are off: " + ", ".join(survivors))
 
