@@ -12,10 +12,12 @@ using namespace drawbead;
 
 namespace {
 
-/// An arc (or a straight line) of unevenly spaced nodes, at most three quarters of a turn.
+/// An arc (or a straight line) of unevenly spaced nodes, at most three quarters of a turn, and so little from
+/// node to node that no other order of a few nodes is as short.
 std::vector<Vec3> any_line() {
     const auto count = static_cast<std::size_t>(*rc::gen::inRange(3, 60).as("nodes"));
-    const double turn = 0.01 * *rc::gen::inRange(0, 470).as("turn in 0.01 rad");
+    const int most = std::min(470, 50 * static_cast<int>(count - 1));
+    const double turn = 0.01 * *rc::gen::inRange(0, most).as("turn in 0.01 rad");
     std::vector<double> along(count, 0.0);
     for (std::size_t i = 1; i < count; ++i)
         along[i] = along[i - 1] + 0.1 * *rc::gen::inRange(10, 15);
