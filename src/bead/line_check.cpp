@@ -58,6 +58,38 @@ std::vector<double> usual_hops(std::span<const double> hop) {
     return usual;
 }
 
+/// A run of a list without jumps, as smooth legs between turns.
+struct Legs {
+    static constexpr double corner = 60, fold = 120; ///< degrees
+    static constexpr double smooth = 45;             ///< degrees, of a walk that is no zigzag between legs
+    static constexpr double regular = 1.8;           ///< of the median hop, or that part of it
+    static constexpr std::size_t shortest = 3;       ///< hops of a leg that counts as one
+    std::vector<double> hops;
+    std::size_t hops_of_leg = 0, long_legs = 0, short_legs = 0;
+    std::size_t folds = 0;
+    bool before_is_fold = false, fine = true;
+
+    void add(double hop) { hops.push_back(hop), ++hops_of_leg; }
+    void end_leg(bool at_fold) {
+        const bool is_long = hops_of_leg >= shortest;
+        ++(is_long ? long_legs : short_legs);
+        if (!is_long && (at_fold || before_is_fold)) fine = false;
+        folds += at_fold;
+        before_is_fold = at_fold;
+        hops_of_leg = 0;
+    }
+    /// Few and long legs with regular steps: more so when they fold back, as every node out of order makes a
+    /// fold. Only the hop from one leg over to the next may be short then.
+    bool are_a_line(double gap_ratio) const {
+        const double usual = median(hops), most = (folds > 0 ? regular : gap_ratio) * usual;
+        const auto short_hops = static_cast<std::size_t>(
+            std::count_if(hops.begin(), hops.end(), [&](double h) { return h < usual / regular; }));
+        return fine && short_legs < std::max<std::size_t>(long_legs, 1) &&
+               (folds == 0 || short_hops <= folds) &&
+               std::all_of(hops.begin(), hops.end(), [&](double h) { return h <= most; });
+    }
+};
+
 /// Different places in list order, joined by their spanning tree. Place numbers ascend along the list.
 class Places {
 public:
@@ -112,6 +144,9 @@ public:
     bool followed_by_list() const;
     bool is_orderly() const;
     bool is_improvable() const;
+    /// A walk of few places, beyond doubt and without corners? A list that goes out and back on it is then
+    /// taken for disorder, as chance makes such lists; many places do not fall into two legs by chance.
+    bool is_short_and_smooth(const LineWalk& walk) const;
     std::vector<uint32_t> branches() const;
     /// Walks every part along the tree.
     LineWalk walk() const;
@@ -191,41 +226,17 @@ bool Places::followed_by_list() const {
     }
     if (!over_the_ends) return true;
     // The list of a loop starts anywhere and goes on over the longest hop. A line listed from its middle
-    // jumps back.
+    // jumps back: further than ends that meet, and with a corner. Three nodes are no loop.
+    if (last < 3) return false;
     for (uint32_t i = 0; i < last; ++i) {
         if (on_tree[i]) continue;
         const Vec3 jump = at_[i + 1] - at_[i];
-        if (i > 0 && turn(at_[i] - at_[i - 1], jump) > limits_.fold_degrees) return false;
-        if (i + 1 < last && turn(jump, at_[i + 2] - at_[i + 1]) > limits_.fold_degrees) return false;
+        const double most = norm(jump) <= limits_.closed_steps * step_ ? limits_.fold_degrees : Legs::corner;
+        if (i > 0 && turn(at_[i] - at_[i - 1], jump) > most) return false;
+        if (i + 1 < last && turn(jump, at_[i + 2] - at_[i + 1]) > most) return false;
     }
     return true;
 }
-
-/// A run of a list without jumps, as smooth legs between turns.
-struct Legs {
-    static constexpr double corner = 60, fold = 120; ///< degrees
-    static constexpr std::size_t shortest = 3;       ///< hops of a leg that counts as one
-    std::vector<double> hops;
-    std::size_t hops_of_leg = 0, long_legs = 0, short_legs = 0;
-    bool folded = false, before_is_fold = false, fine = true;
-
-    void add(double hop) { hops.push_back(hop), ++hops_of_leg; }
-    void end_leg(bool at_fold) {
-        const bool is_long = hops_of_leg >= shortest;
-        ++(is_long ? long_legs : short_legs);
-        if (!is_long && (at_fold || before_is_fold)) fine = false;
-        folded = folded || at_fold;
-        before_is_fold = at_fold;
-        hops_of_leg = 0;
-    }
-    /// Few and long legs with regular steps: more so when they fold back, as every node out of order makes a
-    /// fold.
-    bool are_a_line(double gap_ratio) const {
-        const double most = (folded ? 1.8 : gap_ratio) * median(hops);
-        return fine && short_legs < std::max<std::size_t>(long_legs, 1) &&
-               std::all_of(hops.begin(), hops.end(), [&](double h) { return h <= most; });
-    }
-};
 
 // A list that leaves the shortest walk may still be a line: two legs closer than the steps along them, a
 // fold. A disorderly list turns back all the time or jumps. A jump is fine only to another part, each listed
@@ -297,6 +308,16 @@ bool Places::is_improvable() const {
         }
     }
     return false;
+}
+
+bool Places::is_short_and_smooth(const LineWalk& walk) const {
+    constexpr uint32_t few = 12;
+    if (size() > few || !walk.unambiguous || walk.pieces.size() != 1) return false;
+    for (std::size_t k = 1; k + 1 < walk.order.size(); ++k) {
+        const Vec3 before = at_[walk.order[k - 1]], here = at_[walk.order[k]], after = at_[walk.order[k + 1]];
+        if (turn(here - before, after - here) > Legs::smooth) return false;
+    }
+    return true;
 }
 
 std::vector<uint32_t> Places::branches() const {
@@ -562,8 +583,8 @@ LineCheck check_line(std::span<const Vec3> x, std::span<const uint32_t> node,
         check.list_length += places.hop(i - 1, i);
 
     const bool follows = places.followed_by_list();
-    if (!follows && !places.is_orderly()) {
-        check.walk = places.walk();
+    if (!follows) check.walk = places.walk();
+    if (!follows && (places.is_short_and_smooth(check.walk) || !places.is_orderly())) {
         check.walk.branches = places.branches();
         check.scrambled = check.walk.branches.empty() && (places.is_improvable() || check.walk.unambiguous);
         for (uint32_t& p : check.walk.branches)

@@ -12,11 +12,10 @@
 namespace drawbead {
 
 struct LineLimits {
-    double gap_ratio = 3;         ///< a gap is longer than this times the usual hop around it,
-    double gap_elements = 2;      ///< and than this many elements under it, when their size is known
-    double coincident = 1e-6;     ///< of the median hop: closer than this is the same place
-    double scrambled_ratio = 1.2; ///< list tour over shortest walk, see LineCheck::scrambled
-    double fold_degrees = 135;    ///< turn between neighbouring hops
+    double gap_ratio = 3;      ///< a gap is longer than this times the usual hop around it,
+    double gap_elements = 2;   ///< and than this many elements under it, when their size is known
+    double coincident = 1e-6;  ///< of the median hop: closer than this is the same place
+    double fold_degrees = 135; ///< turn between neighbouring hops
     double corner_degrees = 20;
     double closed_steps = 1.5; ///< ends closer than this many hops: a loop
     double over_element = 1;   ///< step over the element under it

@@ -250,6 +250,32 @@ TEST_CASE("three and four nodes out of order") {
     CHECK(check({{1, 0, 0}, {0, 0, 0}, {2, 0, 0}}).scrambled);
     CHECK(check({{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}}).scrambled);
     CHECK_FALSE(check({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}).scrambled);
+    // 0 1 2 3 on an arc, listed from its middle: the jump back is no side of a loop
+    const Line wide = arc(4, 1.5, 0, 2.5);
+    CHECK(check({wide[1], wide[2], wide[3], wide[0]}).scrambled);
+    // three nodes have no middle to start from, a triangle with one longer side has one order
+    CHECK(check({{1, 0, 0}, {1.2, 1, 0}, {0, 0, 0}}).scrambled);
+    CHECK_FALSE(check({{0, 0, 0}, {1, 0, 0}, {1.2, 1, 0}}).scrambled);
+}
+
+TEST_CASE("a few nodes listed out and back along their line are scrambled, many are a fold") {
+    const auto out_and_back = [](uint32_t count) {
+        Line x;
+        for (uint32_t k = 0; k < count; k += 2)
+            x.push_back({1.0 * k, 0, 0});
+        for (uint32_t k = count % 2 == 0 ? count - 1 : count - 2; k < count; k -= 2)
+            x.push_back({1.0 * k, 0, 0});
+        return x;
+    };
+    for (const uint32_t count : {7u, 8u, 11u, 12u}) {
+        CAPTURE(count);
+        CHECK(check(out_and_back(count)).scrambled);
+    }
+    for (const uint32_t count : {13u, 14u, 30u}) {
+        CAPTURE(count);
+        CHECK_FALSE(check(out_and_back(count)).scrambled);
+        CHECK(check(out_and_back(count)).folds.size() == 1);
+    }
 }
 
 TEST_CASE("gaps are found and nothing else") {
