@@ -228,40 +228,118 @@ void ClosestSegment::visit_within(Vec3 x, const double& radius, Visit&& visit) c
     }
 }
 
-ClosestHit ClosestSegment::find(Vec3 x) const {
-    struct Candidate {
+/// Segments that may still be within a tie of the closest.
+struct ClosestSegment::Candidates {
+    struct One {
         uint32_t segment;
         double distance;
         bool inside;
     };
-    std::vector<Candidate> candidates; // all that may still be within a tie of the closest
-    candidates.reserve(16);
-    const double equal = tie(x);
-    double closest = infinity, radius = infinity;
-    visit_within(x, radius, [&](uint32_t s) {
-        const Foot foot = closest_foot(mesh_.corners(s), x);
-        if (foot.distance > radius) return;
-        if (foot.distance < closest) {
-            if (foot.distance + equal < closest) candidates.clear();
-            closest = foot.distance;
+    std::array<One, 16> first; ///< more than these are rare
+    std::vector<One> rest;
+    std::size_t count = 0;
+    double equal = 0, closest = infinity, radius = infinity;
+    Foot foot; ///< of the closest; whether its normal and place are known depends on where it lies
+
+    explicit Candidates(double tie) : equal(tie) {}
+    void add(uint32_t segment, const Foot& at) {
+        if (at.distance > radius) return;
+        if (at.distance < closest) {
+            if (at.distance + equal < closest) count = 0, rest.clear();
+            closest = at.distance;
             radius = closest + equal;
+            foot = at;
         }
-        candidates.push_back({s, foot.distance, foot.inside()});
-    });
-    const Candidate* best = nullptr;
-    for (const Candidate& c : candidates) {
-        if (c.distance > radius) continue;
-        if (!best || (c.inside != best->inside ? c.inside : c.segment < best->segment)) best = &c;
+        const One one{segment, at.distance, at.inside()};
+        if (count < first.size())
+            first[count++] = one;
+        else
+            rest.push_back(one);
     }
+    /// A foot inside a segment wins over one on an edge, then the smallest storage index.
+    const One* best() const {
+        const One* best = nullptr;
+        const auto compare = [&](const One& c) {
+            if (c.distance > radius) return;
+            if (!best || (c.inside != best->inside ? c.inside : c.segment < best->segment)) best = &c;
+        };
+        std::for_each(first.begin(), first.begin() + static_cast<std::ptrdiff_t>(count), compare);
+        std::for_each(rest.begin(), rest.end(), compare);
+        return best;
+    }
+};
+
+ClosestHit ClosestSegment::best_of(Vec3 x, const Candidates& candidates, bool covered) const {
+    const Candidates::One* best = candidates.best();
     if (!best) {
         ClosestHit none;
         none.exact = mesh_.cells.empty();
         return none;
     }
-    ClosestHit hit = complete(x, best->segment, closest_point(mesh_.corners(best->segment), x));
-    const Vec3 r{radius, radius, radius};
-    hit.exact = mesh_.covers(x - r, x + r);
+    const bool known = candidates.count == 1 && candidates.foot.normal != Vec3{};
+    ClosestHit hit =
+        complete(x, best->segment, known ? candidates.foot : closest_point(mesh_.corners(best->segment), x));
+    const Vec3 r{candidates.radius, candidates.radius, candidates.radius};
+    hit.exact = covered || mesh_.covers(x - r, x + r);
     return hit;
+}
+
+ClosestHit ClosestSegment::find(Vec3 x) const {
+    Candidates candidates(tie(x));
+    visit_within(x, candidates.radius,
+                 [&](uint32_t s) { candidates.add(s, closest_foot(mesh_.corners(s), x)); });
+    return best_of(x, candidates, false);
+}
+
+/// Collects what is near x: about a third of a segment farther than the closest one.
+void ClosestSegment::follow(Vec3 x, ClosestTrack& track) const {
+    track.near_.clear();
+    track.way_ = 0;
+    track.at_ = x;
+    track.reach_ = -1;
+    double closest = infinity, radius = infinity;
+    visit_within(x, radius, [&](uint32_t s) {
+        const double distance = closest_foot(mesh_.corners(s), x).distance;
+        if (distance > radius) return;
+        track.near_.push_back({s, distance});
+        if (distance >= closest) return;
+        closest = distance;
+        radius = std::min(radius, closest + std::sqrt(area(mesh_.corners(s))) / 3);
+        std::swap(track.near_.front(), track.near_.back());
+    });
+    if (!(radius < infinity)) return;
+    std::erase_if(track.near_, [&](const ClosestTrack::Near& n) { return n.farther > radius; });
+    track.reach_ = radius;
+    const Vec3 r{radius, radius, radius};
+    track.covered_ = mesh_.covers(x - r, x + r);
+}
+
+// A distance changes by no more than the way gone: segments that were farther by more than that from the
+// closest one cannot have come closer. Rounding is far below `equal`, twice of which is added to each step.
+ClosestHit ClosestSegment::find(Vec3 x, ClosestTrack& track) const {
+    const double equal = tie(x);
+    for (int attempt = 0; attempt < 2; ++attempt) {
+        if (track.reach_ >= 0) {
+            track.way_ += distance(x, track.at_) + 2 * equal;
+            track.at_ = x;
+            Candidates candidates(equal);
+            std::size_t first = 0;
+            for (std::size_t k = 0; k < track.near_.size(); ++k) {
+                ClosestTrack::Near& n = track.near_[k];
+                if (n.farther - track.way_ > candidates.radius) continue;
+                const Foot foot = closest_foot(mesh_.corners(n.segment), x);
+                n.farther = foot.distance + track.way_;
+                if (foot.distance < candidates.closest) first = k;
+                candidates.add(n.segment, foot);
+            }
+            if (candidates.radius < track.reach_ - track.way_) {
+                std::swap(track.near_[0], track.near_[first]);
+                return best_of(x, candidates, track.covered_);
+            }
+        }
+        if (attempt == 0) follow(x, track);
+    }
+    return find(x);
 }
 
 ClosestHit ClosestSegment::complete(Vec3 x, uint32_t segment, const Foot& foot) const {

@@ -27,6 +27,22 @@ struct ClosestHit {
     bool in_contact_range() const { return found() && offset <= 0.05; }
 };
 
+/// What a search remembers of a point that moves: the segments that were near it, and up to where there are
+/// no others. The closest segment is then found among these few until the point has gone too far.
+class ClosestTrack {
+    friend class ClosestSegment;
+    struct Near {
+        uint32_t segment;
+        double farther; ///< distance plus the way gone when it was measured: less the way gone now, a lower
+                        ///< bound
+    };
+    Vec3 at_;                ///< where the point was last
+    double way_ = 0;         ///< that it has gone since the segments were collected
+    double reach_ = -1;      ///< there may be others farther than this less the way; -1: nothing is known
+    bool covered_ = false;   ///< the mesh has all of the surface up to there
+    std::vector<Near> near_; ///< the last closest one first
+};
+
 /// A tree of boxes over the segments of a NearMesh, which must outlive it. Const and shared by threads.
 /// Ties: when distances agree to rounding, a foot inside a segment wins over one on an edge, then the
 /// smallest storage index.
@@ -35,6 +51,8 @@ public:
     explicit ClosestSegment(const NearMesh&);
 
     ClosestHit find(Vec3 x) const;
+    /// The same for a point that moves, and sooner; `track` is used with one point and one surface only.
+    ClosestHit find(Vec3 x, ClosestTrack& track) const;
 
     /// The closest of the *other* layers: a foot where the distance has a local minimum on the surface, on a
     /// segment that shares no node with `nearest`'s, not farther than `within`.
@@ -53,6 +71,9 @@ private:
 
     void build(uint32_t begin, uint32_t end, const std::vector<uint32_t>& key);
     double tie(Vec3 x) const;
+    struct Candidates;
+    ClosestHit best_of(Vec3 x, const Candidates&, bool covered) const;
+    void follow(Vec3 x, ClosestTrack&) const;
     /// Calls visit(segment) for segments whose box is not farther than `radius`, near ones first; it may
     /// shrink it.
     template <class Visit>

@@ -25,7 +25,7 @@ class ManualRun final : public BeadRun {
 public:
     ManualRun(const EvaluationScene& scene, std::size_t bead, EffectSet stages)
         : BeadRun(scene, bead, stages), mesh_(surface_.mesh), q_(bead_.x.size(), 0.0),
-          share_(bead_.x.size(), 0.0), then_(bead_.x.size()), now_(bead_.x.size()) {
+          share_(bead_.x.size(), 0.0), then_(bead_.x.size()), now_(bead_.x.size()), track_(bead_.x.size()) {
         if (stages.has(Effect::normal))
             kernel_ = stages.has(Effect::ramp) ? kernel_of<true, true>(stages.has(Effect::variation))
                                                : kernel_of<true, false>(stages.has(Effect::variation));
@@ -135,6 +135,7 @@ private:
                 mesh_.x[i] =
                     at.blank.back(scene_.motions[surface_.motion[i]].placement(at.t)(surface_.mesh.x[i]));
         closest_ = std::make_unique<ClosestSegment>(mesh_);
+        std::fill(track_.begin(), track_.end(), ClosestTrack{});
     }
 
     At look(std::size_t i, const Instant& now) {
@@ -143,7 +144,7 @@ private:
         at.x = now.bead[i];
         const std::size_t last = now.bead.size() - 1;
         at.chord = 0.5 * (now.bead[std::min(i + 1, last)] - now.bead[i > 0 ? i - 1 : 0]);
-        const ClosestHit hit = closest_->find(now.blank.back(at.x));
+        const ClosestHit hit = closest_->find(now.blank.back(at.x), track_[i]);
         at.contact.on_surface = hit.found();
         if (!hit.found()) return at;
         at_rim_ = at_rim_ || !hit.exact;
@@ -393,13 +394,17 @@ private:
             return std::abs(before + m.k * way) > m.limit;
         };
         double low = ta, high = tb;
-        if (std::abs(before) < a.limit * (1 - 1e-12))
+        if (std::abs(before) >= a.limit * (1 - 1e-12)) {
+            high = ta;
+        } else {
+            // Nothing to look for when another node has slipped sooner.
+            if (history_.first_slip) high = std::min(high, *history_.first_slip);
+            if (high < tb && !slides(high)) return;
             for (int k = 0; k < 50; ++k) {
                 const double middle = 0.5 * (low + high);
                 (slides(middle) ? high : low) = middle;
             }
-        else
-            high = ta;
+        }
         history_.first_slip = history_.first_slip ? std::min(*history_.first_slip, high) : high;
     }
 
@@ -462,7 +467,8 @@ private:
     std::vector<double> q_;     ///< slider force
     std::vector<double> share_; ///< of the arc length, along the deck's coordinates
     std::vector<At> then_, now_;
-    std::vector<double> corners_; ///< times at which a step is split
+    std::vector<ClosestTrack> track_; ///< of each node on the blank as it is shaped now
+    std::vector<double> corners_;     ///< times at which a step is split
     uint32_t reference_ = 0;
     double t_ = 0, shape_of_ = 0;
     bool restrains_ = false, incremental_ = false, one_motion_ = true, deforming_ = false;

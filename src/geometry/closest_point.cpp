@@ -48,14 +48,15 @@ void set_on_edge(Foot& foot, int k, double t, bool triangle) {
 Foot closest_on_outline(const Corners& c, Vec3 x, double tolerance) {
     const bool triangle = is_triangle(c);
     Foot best;
-    double best_squared = std::numeric_limits<double>::infinity();
+    double best_squared = std::numeric_limits<double>::infinity(), best_t = 0;
+    int best_edge = 0;
     for (int k = 0; k < 4; ++k) {
         if (triangle && k == 2) continue;
         const Vec3 from = c[static_cast<std::size_t>(k)];
         const Vec3 to = c[static_cast<std::size_t>((k + 1) % 4)];
         const Vec3 edge = to - from;
-        const double squared_length = squared_norm(edge);
-        double t = squared_length > 0 ? std::clamp(dot(x - from, edge) / squared_length, 0.0, 1.0) : 0.0;
+        const double squared_length = squared_norm(edge), along = dot(x - from, edge);
+        double t = !(along > 0) ? 0.0 : !(along < squared_length) ? 1.0 : along / squared_length;
         // A corner stays one unless its edge has no length.
         if ((t > 0 && t < 1) || squared_length <= 4 * tolerance * tolerance) {
             const double length = std::sqrt(squared_length);
@@ -67,9 +68,11 @@ Foot closest_on_outline(const Corners& c, Vec3 x, double tolerance) {
         if (squared < best_squared) {
             best_squared = squared;
             best.point = point;
-            set_on_edge(best, k, t, triangle);
+            best_t = t;
+            best_edge = k;
         }
     }
+    set_on_edge(best, best_edge, best_t, triangle);
     best.distance = std::sqrt(best_squared);
     return best;
 }

@@ -74,6 +74,38 @@ TEST_CASE("a part of the surface gives the same closest segments, for moved poin
     }
 }
 
+TEST_CASE("a point that moves finds what a search from nothing finds, at every size of step") {
+    std::mt19937 random(10);
+    std::uniform_real_distribution<double> u(-1, 1);
+    for (int round = 0; round < 60; ++round) {
+        const Sheet s = random_sheet(round % 6, random);
+        const NearMesh m = near_mesh(s.mesh(), {}, whole_surface);
+        const ClosestSegment closest(m);
+        const double pace = std::pow(10.0, -4 + round % 5);
+        for (Vec3 x : random_points(s, 6, random)) {
+            ClosestTrack track;
+            const Vec3 way = pace * Vec3{u(random), u(random), u(random)};
+            for (int k = 0; k < 60; ++k, x += k % 20 == 19 ? -3 * way : way) {
+                const ClosestHit ours = closest.find(x, track), theirs = closest.find(x);
+                CAPTURE(round, k, x.x, x.y, x.z);
+                REQUIRE(ours.segment == theirs.segment);
+                REQUIRE(ours.d == theirs.d);
+                REQUIRE(ours.foot.point == theirs.foot.point);
+                REQUIRE(ours.foot.normal == theirs.foot.normal);
+                REQUIRE((ours.foot.xi == theirs.foot.xi && ours.foot.eta == theirs.foot.eta));
+                REQUIRE(ours.exact == theirs.exact);
+                REQUIRE(ours.on_free_edge == theirs.on_free_edge);
+            }
+        }
+    }
+    const Sheet flat = flat_sheet(4, 4); // along an edge, where two segments tie
+    const NearMesh m = near_mesh(flat.mesh(), {}, whole_surface);
+    const ClosestSegment closest(m);
+    ClosestTrack track;
+    for (int k = 0; k <= 400; ++k)
+        REQUIRE(closest.find({2, 0.01 * k, 3}, track).segment == closest.find({2, 0.01 * k, 3}).segment);
+}
+
 TEST_CASE("what is not known to be exact says so") {
     const Sheet s = flat_sheet(40, 40);
     const std::vector<Vec3> points{{5.5, 5.5, 1}};
