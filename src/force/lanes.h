@@ -7,30 +7,36 @@
 #include <cstdint>
 #include <type_traits>
 #ifdef __SSE2__
-#include <emmintrin.h>
+#include <immintrin.h>
 #endif
 
 namespace drawbead {
 
-/// 16 bytes: what every 64-bit processor computes at once.
-template <class S>
+/// 16 bytes are what every 64-bit processor computes at once, 32 what AVX2 does. No function may pass the
+/// wider ones in a file that is not compiled for AVX2.
+template <class S, std::size_t bytes>
 struct LaneTypes;
 template <>
-struct LaneTypes<double> {
+struct LaneTypes<double, 16> {
     using Vector [[gnu::vector_size(16)]] = double;
     using Mask [[gnu::vector_size(16)]] = int64_t;
 };
 template <>
-struct LaneTypes<float> {
+struct LaneTypes<double, 32> {
+    using Vector [[gnu::vector_size(32)]] = double;
+    using Mask [[gnu::vector_size(32)]] = int64_t;
+};
+template <>
+struct LaneTypes<float, 16> {
     using Vector [[gnu::vector_size(16)]] = float;
     using Mask [[gnu::vector_size(16)]] = int32_t;
 };
 
-template <class Scalar>
+template <class Scalar, std::size_t bytes = 16>
 struct Lanes {
-    static constexpr std::size_t count = 16 / sizeof(Scalar);
-    using Vector = typename LaneTypes<Scalar>::Vector;
-    using Mask = typename LaneTypes<Scalar>::Mask; ///< all bits of a lane, or none
+    static constexpr std::size_t count = bytes / sizeof(Scalar);
+    using Vector = typename LaneTypes<Scalar, bytes>::Vector;
+    using Mask = typename LaneTypes<Scalar, bytes>::Mask; ///< all bits of a lane, or none
 
     Vector v{};
 
@@ -66,16 +72,18 @@ struct Lanes {
         return Lanes(Vector((Mask(size.v) & ~sign_bit()) | (Mask(sign.v) & sign_bit())));
     }
     friend Lanes sqrt(Lanes a) {
+#ifdef __AVX__
+        if constexpr (bytes == 32) return Lanes(Vector(_mm256_sqrt_pd(__m256d(a.v))));
+#endif
 #ifdef __SSE2__
-        if constexpr (sizeof(Scalar) == 8)
+        if constexpr (bytes == 16 && sizeof(Scalar) == 8)
             return Lanes(Vector(_mm_sqrt_pd(__m128d(a.v))));
-        else
+        else if constexpr (bytes == 16)
             return Lanes(Vector(_mm_sqrt_ps(__m128(a.v))));
-#else
+#endif
         for (std::size_t i = 0; i < count; ++i)
             a.v[i] = std::sqrt(a.v[i]);
         return a;
-#endif
     }
 
 private:
@@ -86,8 +94,8 @@ template <class Real>
 struct ScalarOf {
     using Type = Real;
 };
-template <class Scalar>
-struct ScalarOf<Lanes<Scalar>> {
+template <class Scalar, std::size_t bytes>
+struct ScalarOf<Lanes<Scalar, bytes>> {
     using Type = Scalar;
 };
 /// The type of one lane; of a single real, its own.
@@ -109,10 +117,9 @@ constexpr bool is_zero(double a) {
 constexpr bool both(bool a, bool b) {
     return a && b;
 }
-inline LaneTypes<double>::Mask both(LaneTypes<double>::Mask a, LaneTypes<double>::Mask b) {
-    return a & b;
-}
-inline LaneTypes<float>::Mask both(LaneTypes<float>::Mask a, LaneTypes<float>::Mask b) {
+template <class Mask>
+    requires(!std::is_same_v<Mask, bool>)
+[[gnu::always_inline]] inline Mask both(Mask a, Mask b) {
     return a & b;
 }
 

@@ -1,8 +1,7 @@
 #include "contact/rigid_tracks.h"
 #include "force/evaluator.h"
 #include "force/moving_surface.h"
-#include "force/solver_kernels.h"
-#include "force/solver_step.h"
+#include "force/solver_block.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,14 +13,15 @@ namespace drawbead {
 namespace {
 
 /// One bead under the solver's law: tracking, projection and force in each cycle, at the cycle's positions
-/// and the velocities of half a step before.
+/// and the velocities of half a step before. Nodes go through the law N at a time.
+template <std::size_t N>
 class SolverRun final : public BeadRun {
 public:
     SolverRun(const EvaluationScene& scene, const std::vector<MotionSteps>& steps, std::size_t bead,
               EffectSet stages)
         : BeadRun(scene, bead, stages), steps_(steps), blank_(surface_, steps), law_(bead_.law), x_(bead_.x),
-          track_(bead_.track), due_(x_.size(), 0.0), tool_motions_(bead_.motion), state_(x_.size()),
-          force_(x_.size()), half_chord_(x_.size()), s_(x_.size(), 0.0) {
+          track_(bead_.track), due_(x_.size(), 0.0), tool_motions_(bead_.motion), half_chord_(x_.size()),
+          s_(x_.size(), 0.0), lanes_((x_.size() + N - 1) / N) {
         if (law_.fn_first == 0) law_.fn_last = 0; // the solver has no normal force then
         restraint_ = bead_.iform == 1 ? Effect::viscous : Effect::incremental;
         const bool restrains = stages.has(restraint_);
@@ -33,15 +33,13 @@ public:
         effects.varies = stages.has(Effect::variation);
         effects.ramp = stages.has(Effect::ramp);
         effects.share = stages.has(Effect::ft_ramp);
-        cycle_ = with_effects(effects, []<Effects E>() { return &SolverRun::cycle<E>; });
+        kernel_ = solver_block_kernel<N>(effects);
         std::sort(tool_motions_.begin(), tool_motions_.end());
         tool_motions_.erase(std::unique(tool_motions_.begin(), tool_motions_.end()), tool_motions_.end());
         take_half_chords();
         take_capacities();
-        mass_.reserve(surface_.mesh.segment.size());
-        for (const SegmentNodes& nodes : surface_.mesh.segment)
-            mass_.push_back({surface_.mass[nodes[0]], surface_.mass[nodes[1]], surface_.mass[nodes[2]],
-                             surface_.mass[nodes[3]]});
+        for (std::size_t i = 0; i < x_.size(); ++i)
+            take_segment(i);
         const uint32_t one = surface_.motion.empty() ? 0 : surface_.motion.front();
         one_motion_ = std::all_of(surface_.motion.begin(), surface_.motion.end(),
                                   [&](uint32_t m) { return m == one; }) &&
@@ -72,124 +70,92 @@ private:
             return;
         }
         if (stages_.has(Effect::moving)) count(Effect::moving);
-        (this->*cycle_)(n);
+        cycle(n);
     }
 
     void leave_window() {
         open_ = settled_ = false;
-        std::fill(force_.begin(), force_.end(), Applied{});
+        for (SolverLanes<N>& lanes : lanes_)
+            lanes.normal = {}, lanes.restraint = {}, lanes.stored_energy = {};
         for (NodeSample& sample : row_)
             sample = NodeSample{.node = sample.node, .x = sample.x};
     }
 
-    template <Effects E>
     void cycle(std::size_t n) {
-        const Vec3 velocity = deforming_ ? Vec3{} : steps_[surface_.motion.front()].velocity_of(n);
-        for (SegmentState<double>& segment : segment_)
-            segment.v.fill(velocity);
+        if (!deforming_) {
+            const Vec3 velocity = steps_[surface_.motion.front()].velocity_of(n);
+            for (RowVec3<N>& row : block_.segment_v)
+                for (std::size_t lane = 0; lane < N; ++lane)
+                    row.set(lane, velocity);
+        }
         if (stages_.has(Effect::variation)) sum_arcs();
         length_ = stages_.has(Effect::variation) && s_.back() > 0 ? s_.back() : 1;
         keep_ = sampling(n) || !stages_.has(Effect::moving);
         settled_ = n > 0;
-        constexpr bool forceless = E.restraint == Restraint::none && !E.normal;
-        for (std::size_t first = 0; first < x_.size(); first += side_by_side) {
-            const std::size_t nodes = std::min(side_by_side, x_.size() - first);
+        block_.dt = scene_.dt[n];
+        block_.books = stages_.has(Effect::energy);
+        block_.stores = bead_.iform != 1;
+        for (std::size_t first = 0; first < x_.size(); first += N) {
+            const std::size_t nodes = std::min(N, x_.size() - first);
+            SolverLanes<N>& lanes = lanes_[first / N];
             for (std::size_t lane = 0; lane < nodes; ++lane)
-                prepare(first + lane, n, segment_[lane], input_[lane]);
-            if constexpr (forceless) {
-                for (std::size_t lane = 0; lane < nodes; ++lane)
-                    take(first + lane, n, where(segment_[lane], input_[lane]), segment_[lane]);
-            } else {
-                const auto take_lanes = [&](std::size_t, std::size_t count, const auto& force) {
-                    for (std::size_t lane = 0; lane < count; ++lane)
-                        take(first + lane, n, one_of(force, lane), segment_[lane]);
-                };
-                drawbead::solver_step<double, E>(
-                    law_, std::span<const SegmentState<double>>(segment_.data(), nodes),
-                    std::span<const NodeInput<double>>(input_.data(), nodes),
-                    std::span(state_).subspan(first, nodes), take_lanes);
-            }
+                prepare(first + lane, n, lane);
+            kernel_(law_, lanes, block_);
+            for (std::size_t lane = 0; lane < nodes; ++lane)
+                take(first + lane, n, lanes, lane);
         }
+        if (block_.books && n > 0) count(Effect::energy, x_.size());
+        if (deforming_) count(Effect::deforming_blank, x_.size());
         if (stages_.has(Effect::thickness)) count(Effect::thickness, x_.size());
         if (stages_.has(Effect::reset)) count(Effect::reset, x_.size());
         count(Effect::edge, x_.size());
     }
 
     /// What the law asks for of node i.
-    void prepare(std::size_t i, std::size_t n, SegmentState<double>& segment, NodeInput<double>& in) {
+    void prepare(std::size_t i, std::size_t n, std::size_t lane) {
         if (deforming_ || moved_ >= due_[i]) settled_ = follow(i, n) && settled_;
+        const SegmentNodes& nodes = surface_.mesh.segment[track_[i].segment];
+        for (std::size_t k = 0; k < 4; ++k)
+            block_.segment_x[k].set(lane, blank_.at(nodes[k], n));
+        if (deforming_)
+            for (std::size_t k = 0; k < 4; ++k)
+                block_.segment_v[k].set(lane, blank_.velocity(nodes[k], n));
+        block_.x.set(lane, x_[i]);
+        block_.half_chord.set(lane, half_chord_[i]);
+        block_.s_fraction[lane] = s_[i] / length_;
+        block_.tool_velocity.set(lane, tool_velocity(i, n));
+    }
+
+    /// What the law asks for of the segment under node i.
+    void take_segment(std::size_t i) {
+        SolverLanes<N>& lanes = lanes_[i / N];
+        const std::size_t lane = i % N;
         const uint32_t number = track_[i].segment;
         const SegmentNodes& nodes = surface_.mesh.segment[number];
+        const SegmentStiffness& stiffness = surface_.stiffness[number];
         for (std::size_t k = 0; k < 4; ++k)
-            segment.x[k] = blank_.at(nodes[k], n);
-        if (deforming_) {
-            count(Effect::deforming_blank);
-            for (std::size_t k = 0; k < 4; ++k)
-                segment.v[k] = blank_.velocity(nodes[k], n);
-        }
-        segment.mass = mass_[number];
-        segment.stiffness = surface_.stiffness[number].k;
-        if (stages_.has(Effect::thickness))
-            segment.half_thickness = surface_.stiffness[number].half_thickness;
-        in.x = x_[i];
-        in.half_chord = half_chord_[i];
-        in.s_fraction = s_[i] / length_;
-        in.dt = scene_.dt[n];
-        in.slope = bead_.slope.ramp;
+            lanes.mass[k][lane] = surface_.mass[nodes[k]];
+        lanes.stiffness[lane] = stiffness.k;
+        lanes.half_thickness[lane] = stages_.has(Effect::thickness) ? stiffness.half_thickness : 0;
+        lanes.slope[lane] = bead_.slope.ramp;
         if (stages_.has(Effect::reset))
-            in.slope = bead_.slope_read[i] ? *bead_.slope_read[i] : bead_.slope.of(segment.stiffness);
+            lanes.slope[lane] = bead_.slope_read[i] ? *bead_.slope_read[i] : bead_.slope.of(stiffness.k);
     }
 
-    /// Where a node is when nothing can act on it.
-    NodeForce<double> where(const SegmentState<double>& segment, const NodeInput<double>& in) const {
-        NodeForce<double> f;
-        f.at = project(segment.x, in.x);
-        f.penetration = law_.depth > 0
-                            ? (law_.depth - f.at.distance + segment.half_thickness) * (f.at.inside ? 1 : 0)
-                            : 1;
-        return f;
-    }
-
-    /// One lane of what take() looks at.
-    [[gnu::always_inline]] static NodeForce<double> one_of(const NodeForce<Lanes<double>>& f,
-                                                           std::size_t lane) {
-        const auto vector = [lane](const BasicVec3<Lanes<double>>& v) {
-            return Vec3{v.x[lane], v.y[lane], v.z[lane]};
-        };
-        NodeForce<double> out;
-        out.at.inside = f.at.inside[lane] != 0;
-        out.at.xi = f.at.xi[lane];
-        out.at.eta = f.at.eta[lane];
-        for (std::size_t k = 0; k < 4; ++k)
-            out.at.weight[k] = f.at.weight[k][lane];
-        out.at.distance = f.at.distance[lane];
-        out.penetration = f.penetration[lane];
-        out.ft_limit = f.ft_limit[lane];
-        out.restraint = f.restraint[lane];
-        out.ramp_share = f.ramp_share[lane];
-        out.normal_force = f.normal_force[lane];
-        out.normal = vector(f.normal);
-        out.tangential = vector(f.tangential);
-        out.total = vector(f.total);
-        out.slip = f.slip[lane];
-        return out;
-    }
-
-    [[gnu::always_inline]] void take(std::size_t i, std::size_t n, const NodeForce<double>& f,
-                                     const SegmentState<double>& segment) {
-        add(history_.steps[n], i, f, segment, n);
+    void take(std::size_t i, std::size_t n, const SolverLanes<N>& lanes, std::size_t lane) {
+        add(history_.steps[n], i, n, lanes, lane);
         if (!keep_) return;
         NodeSample& sample = row_[i];
         sample.segment = track_[i].segment;
         sample.found = true;
-        sample.inside = f.at.inside;
-        sample.xi = f.at.xi;
-        sample.eta = f.at.eta;
-        sample.distance = f.at.distance;
-        sample.penetration = f.penetration;
+        sample.inside = block_.inside[lane] != 0;
+        sample.xi = block_.xi[lane];
+        sample.eta = block_.eta[lane];
+        sample.distance = block_.distance[lane];
+        sample.penetration = block_.penetration[lane];
         sample.x = x_[i];
-        sample.normal = f.normal;
-        sample.restraint = f.tangential;
+        sample.normal = lanes.normal[lane];
+        sample.restraint = lanes.restraint[lane];
     }
 
     /// Searches where the track may change; whether it stayed.
@@ -208,36 +174,35 @@ private:
             at_rim_ = !step.complete || at_rim_;
             due_[i] = moved_ + step.margin;
         }
+        if (track.segment != before.segment) take_segment(i);
         return track.nearest == before.nearest && track.segment == before.segment;
     }
 
-    void add(StepTotals& totals, std::size_t i, const NodeForce<double>& f,
-             const SegmentState<double>& segment, std::size_t n) {
-        const bool contact = f.penetration > 0;
-        const bool incremental = restraint_ == Effect::incremental;
-        if (contact) {
-            totals.normal += f.normal;
-            totals.restraint += f.tangential;
-            const Vec3 foot = f.at.weight[0] * segment.x[0] + f.at.weight[1] * segment.x[1] +
-                              f.at.weight[2] * segment.x[2] + f.at.weight[3] * segment.x[3];
-            totals.couple += cross(foot - x_[i], f.total);
-            totals.normal_sum += std::abs(f.normal_force);
-            const double restraint = norm(f.tangential);
+    void add(StepTotals& totals, std::size_t i, std::size_t n, const SolverLanes<N>& lanes,
+             std::size_t lane) {
+        const double penetration = block_.penetration[lane];
+        if (penetration > 0) {
+            totals.normal += lanes.normal[lane];
+            totals.restraint += lanes.restraint[lane];
+            totals.couple += block_.couple[lane];
+            totals.normal_sum += std::abs(block_.normal_size[lane]);
+            const double restraint = block_.restraint_size[lane];
             totals.restraint_sum += restraint;
             ++totals.in_contact;
-            const bool plateau = f.penetration >= law_.depth;
+            const bool plateau = penetration >= law_.depth;
             if (plateau) ++totals.on_plateau;
             if (stages_.has(Effect::normal)) count(Effect::normal);
             if (stages_.has(Effect::normal) && !plateau) {
                 count(Effect::ramp);
-                if (f.ramp_share != 1) count(Effect::ft_ramp);
+                if (block_.ramp_share[lane] != 1) count(Effect::ft_ramp);
             }
             if (stages_.has(restraint_)) count(restraint_);
             const double t = scene_.time[n];
             if (!history_.first_contact) history_.first_contact = t;
             if (plateau && !history_.first_plateau) history_.first_plateau = t;
-            if (!history_.first_slip && f.ft_limit != 0 && restraint > 0 &&
-                (incremental ? f.slip != 0 : f.restraint >= f.ft_limit))
+            if (!history_.first_slip && block_.ft_limit[lane] != 0 && restraint > 0 &&
+                (restraint_ == Effect::incremental ? block_.slip[lane] != 0
+                                                   : block_.limited[lane] >= block_.ft_limit[lane]))
                 history_.first_slip = t;
             if (!touched_[i]) touched_[i] = 1, ++history_.ever_in_contact;
             if (restraint > history_.worst_restraint * (1 + 1e-12)) {
@@ -246,32 +211,16 @@ private:
                 history_.worst_time = t;
             }
         }
-        if (stages_.has(Effect::energy)) book_energy(i, f, segment, n);
-    }
-
-    /// By the trapezium rule: velocities stand halfway between two forces.
-    void book_energy(std::size_t i, const NodeForce<double>& f, const SegmentState<double>& segment,
-                     std::size_t n) {
-        Applied& before = force_[i];
-        const double k = segment.stiffness;
-        const bool stores = bead_.iform != 1 && k > 0 && f.ft_limit != 0;
-        const double stored = stores ? squared_norm(state_[i].stored) / (2 * k) : 0;
-        if (n > 0) {
-            count(Effect::energy);
-            Vec3 v;
-            for (std::size_t j = 0; j < 4; ++j)
-                v += f.at.weight[j] * segment.v[j];
-            const double half = 0.5 * scene_.dt[n];
-            BeadEnergy& energy = history_.energy;
-            const double restraint_work = half * dot(before.restraint + f.tangential, v);
-            energy.normal_work += half * dot(before.normal + f.normal, v);
-            energy.restraint_work += restraint_work;
-            energy.tool_work -= half * dot(before.normal + before.restraint + f.total, tool_velocity(i, n));
-            const double taken = -restraint_work - (stored - before.stored);
-            (taken >= 0 ? energy.dissipated : energy.created) += std::abs(taken);
-        }
-        history_.energy.stored += stored - before.stored;
-        before = {f.normal, f.tangential, stored};
+        if (!block_.books) return;
+        BeadEnergy& energy = history_.energy;
+        energy.stored += block_.stored_change[lane];
+        if (n == 0) return;
+        const double restraint_work = block_.restraint_work[lane];
+        energy.normal_work += block_.normal_work[lane];
+        energy.restraint_work += restraint_work;
+        energy.tool_work -= block_.tool_work[lane];
+        const double taken = -restraint_work - block_.stored_change[lane];
+        (taken >= 0 ? energy.dissipated : energy.created) += std::abs(taken);
     }
 
     Vec3 tool_velocity(std::size_t i, std::size_t n) const {
@@ -373,32 +322,22 @@ private:
         std::size_t n_;
     };
 
-    /// What acted in the cycle before.
-    struct Applied {
-        Vec3 normal, restraint;
-        double stored = 0;
-    };
-
     const std::vector<MotionSteps>& steps_;
     MovingSurface blank_;
     BeadLaw<double> law_;
-    void (SolverRun::*cycle_)(std::size_t) = nullptr;
-    static constexpr std::size_t side_by_side = Lanes<double>::count;
-    std::array<SegmentState<double>, side_by_side> segment_; ///< of the nodes at hand
-    std::array<NodeInput<double>, side_by_side> input_;
-    double length_ = 1; ///< of the bead
-    bool keep_ = false; ///< samples of this cycle
+    SolverBlockKernel<N> kernel_ = nullptr;
+    SolverBlock<N> block_; ///< of the nodes at hand
+    double length_ = 1;    ///< of the bead
+    bool keep_ = false;    ///< samples of this cycle
     std::vector<Vec3> x_;
     std::vector<Track> track_;
     std::vector<double> due_;          ///< way at which the node's track is to be looked at again
     std::optional<RigidTracks> rigid_; ///< of a blank that does not deform
     Vec3 gone_;                        ///< displacement of such a blank
     std::vector<uint32_t> tool_motions_;
-    std::vector<NodeState<double>> state_;
-    std::vector<Applied> force_;
     std::vector<Vec3> half_chord_;
     std::vector<double> s_;
-    std::vector<std::array<double, 4>> mass_; ///< by segment
+    std::vector<SolverLanes<N>> lanes_; ///< N nodes each
     double moved_ = 0;
     Effect restraint_ = Effect::incremental; ///< its own of the two
     bool deforming_ = false, one_motion_ = false, tool_turns_ = false;
@@ -409,7 +348,8 @@ private:
 
 std::unique_ptr<BeadRun> make_solver_run(const EvaluationScene& scene, const std::vector<MotionSteps>& steps,
                                          std::size_t bead, EffectSet stages) {
-    return std::make_unique<SolverRun>(scene, steps, bead, stages);
+    if (runs_four_lanes()) return std::make_unique<SolverRun<4>>(scene, steps, bead, stages);
+    return std::make_unique<SolverRun<2>>(scene, steps, bead, stages);
 }
 
 } // namespace drawbead

@@ -1,6 +1,7 @@
 // The solver's law apart from any record: what a kernel leaves out changes no bit of the rest, single
 // precision follows double, and the rules that recorded runs seldom meet.
 #include "force/manual_law.h"
+#include "force/solver_block.h"
 #include "force/solver_kernels.h"
 #include "force/solver_step.h"
 
@@ -136,7 +137,93 @@ unsigned compare_step(std::size_t nodes, const BeadLaw<Real>& law) {
     return in_contact;
 }
 
+/// N nodes at a time against the same nodes alone, over two cycles; how many were in contact.
+template <std::size_t N, Effects E>
+unsigned compare_block(const BeadLaw<double>& law) {
+    unsigned in_contact = 0;
+    for (unsigned group = 0; group < 60; ++group) {
+        SolverLanes<N> lanes;
+        SolverBlock<N> block;
+        block.books = block.stores = true;
+        std::vector<Case> cases;
+        std::vector<Vec3> normal(N), restraint(N), tool(N);
+        std::vector<double> stored(N);
+        for (unsigned lane = 0; lane < N; ++lane) {
+            Case& c = cases.emplace_back(group * N + lane);
+            c.segment.stiffness = 42000;
+            c.segment.half_thickness = 0.5;
+            if (lane % 3 == 0) c.segment.x[3] = c.segment.x[2];
+            c.node.slope = 20;
+            tool[lane] = {0.1 * lane, -1.0 * group, 3};
+            for (std::size_t k = 0; k < 4; ++k) {
+                block.segment_x[k].set(lane, c.segment.x[k]);
+                block.segment_v[k].set(lane, c.segment.v[k]);
+                lanes.mass[k][lane] = c.segment.mass[k];
+            }
+            lanes.stiffness[lane] = c.segment.stiffness;
+            lanes.half_thickness[lane] = c.segment.half_thickness;
+            lanes.slope[lane] = c.node.slope;
+            lanes.stick.set(lane, c.state.stored);
+            block.x.set(lane, c.node.x);
+            block.half_chord.set(lane, c.node.half_chord);
+            block.s_fraction[lane] = c.node.s_fraction;
+            block.tool_velocity.set(lane, tool[lane]);
+        }
+        for (int cycle = 0; cycle < 2; ++cycle) {
+            block.dt = cycle == 0 ? 0 : 1e-6;
+            solver_block_kernel<N>(E)(law, lanes, block);
+            for (unsigned lane = 0; lane < N; ++lane) {
+                Case& c = cases[lane];
+                c.node.dt = block.dt;
+                const NodeForce<double> f = solver_node_force<double, E>(law, c.segment, c.node, c.state);
+                CHECK((block.inside[lane] != 0) == f.at.inside);
+                CHECK(block.xi[lane] == f.at.xi);
+                CHECK(block.eta[lane] == f.at.eta);
+                CHECK(block.distance[lane] == f.at.distance);
+                CHECK(block.penetration[lane] == f.penetration);
+                CHECK(block.slip[lane] == f.slip);
+                CHECK(block.normal_size[lane] == f.normal_force);
+                CHECK(block.restraint_size[lane] == norm(f.tangential));
+                CHECK(lanes.normal[lane] == f.normal);
+                CHECK(lanes.restraint[lane] == f.tangential);
+                CHECK(lanes.stick[lane] == c.state.stored);
+                Vec3 foot, v;
+                for (std::size_t k = 0; k < 4; ++k) {
+                    foot = k == 0 ? f.at.weight[0] * c.segment.x[0] : foot + f.at.weight[k] * c.segment.x[k];
+                    v += f.at.weight[k] * c.segment.v[k];
+                }
+                CHECK(block.couple[lane] == cross(foot - c.node.x, f.total));
+                const double half = 0.5 * block.dt;
+                CHECK(block.normal_work[lane] == half * dot(normal[lane] + f.normal, v));
+                CHECK(block.restraint_work[lane] == half * dot(restraint[lane] + f.tangential, v));
+                CHECK(block.tool_work[lane] ==
+                      half * dot(normal[lane] + restraint[lane] + f.total, tool[lane]));
+                const double holds =
+                    f.ft_limit != 0 ? squared_norm(c.state.stored) / (2 * c.segment.stiffness) : 0;
+                CHECK(block.stored_change[lane] == holds - stored[lane]);
+                normal[lane] = f.normal, restraint[lane] = f.tangential, stored[lane] = holds;
+                in_contact += f.penetration > 0;
+            }
+        }
+    }
+    return in_contact;
+}
+
+template <std::size_t N>
+void compare_blocks() {
+    CHECK(compare_block<N, Effects{Restraint::incremental, true, true}>({100, 300, 50, 10, 5}) > 40);
+    CHECK(compare_block<N, Effects{Restraint::viscous, true, true}>({100, 300, 50, 10, 5}) > 40);
+    CHECK(compare_block<N, Effects{Restraint::incremental, false, false, false, false}>({0, 0, 50, 0, 5}) >
+          40);
+    CHECK(compare_block<N, Effects{Restraint::none, true, false, true, false}>({100, 0, 0, 0, 5}) > 40);
+}
+
 } // namespace
+
+TEST_CASE("the rows of a run get the bits that nodes get alone, two at a time and four") {
+    compare_blocks<2>();
+    if (runs_four_lanes()) compare_blocks<4>();
+}
 
 TEST_CASE("nodes side by side get the bits that they get alone") {
     for (const std::size_t nodes : {1U, 2U, 3U, 301U}) {
