@@ -29,27 +29,37 @@ void add_pieces(const ShellTable& table, ElementKind kind, const std::vector<Seg
         }
 }
 
+// Rows go from table to segment in registers: a Segment put together in memory and copied waits for its own
+// bytes.
 void write_piece(Piece& piece, Segment* out) {
-    const ShellTable& table = *piece.table;
+    const std::array<NodeRow, 4>* const nodes = piece.table->nodes.data();
+    const auto* const id = piece.table->id.data();
+    const bool reversed = piece.sense < 0, triangle = piece.kind == ElementKind::shell3;
+    const ElementKind kind = piece.kind;
+    const int8_t sense = piece.sense;
     uint32_t last_id = 0;
+    bool ascending = true, has_hole = false;
     for (uint32_t row = piece.begin; row < piece.end; ++row, ++out) {
-        Segment segment;
-        segment.n = table.nodes[row];
-        if (piece.kind == ElementKind::shell3) {
-            if (piece.sense < 0) segment.n = {segment.n[2], segment.n[1], segment.n[0], segment.n[0]};
-        } else if (piece.sense < 0) {
-            std::reverse(segment.n.begin(), segment.n.end());
-        }
+        const NodeRow n0 = nodes[row][0], n1 = nodes[row][1], n2 = nodes[row][2], n3 = nodes[row][3];
+        Segment& segment = *out;
+        if (!reversed)
+            segment.n = {n0, n1, n2, n3};
+        else if (triangle)
+            segment.n = {n2, n1, n0, n0};
+        else
+            segment.n = {n3, n2, n1, n0};
         segment.element = row;
-        segment.kind = piece.kind;
-        segment.sense = piece.sense;
-        piece.has_hole |= segment.n[0] == no_node || segment.n[1] == no_node || segment.n[2] == no_node ||
-                          segment.n[3] == no_node;
-        normalise(segment.n, segment.repaired);
-        *out = segment;
-        piece.ascending &= last_id <= table.id[row];
-        last_id = table.id[row];
+        segment.kind = kind;
+        segment.sense = sense;
+        segment.solid_backed = false;
+        segment.repaired = false;
+        has_hole |= n0 == no_node || n1 == no_node || n2 == no_node || n3 == no_node;
+        if (n0 == n1 || n1 == n2 || n2 == n3 || n3 == n0) normalise(segment.n, segment.repaired);
+        ascending &= last_id <= id[row];
+        last_id = id[row];
     }
+    piece.ascending = ascending;
+    piece.has_hole = has_hole;
 }
 
 /// SEG lines as segments; lines with unknown nodes are kept apart.
