@@ -10,6 +10,7 @@
 #include "model/users.h"
 
 #include <algorithm>
+#include <atomic>
 
 namespace drawbead {
 
@@ -177,19 +178,32 @@ private:
             for (const NodeGroup& group : model_.groups_)
                 for (const NodeRow node : group.nodes)
                     nodes.insert(node);
-            for (const Surface& surface : model_.surfaces_) {
-                constexpr std::size_t piece = 1 << 16;
-                const std::size_t count = surface.segments.size();
-                parallel_for(threads_, (count + piece - 1) / piece, [&](std::size_t p) {
-                    for (std::size_t i = p * piece; i < std::min(count, (p + 1) * piece); ++i)
-                        for (const NodeRow node : surface.segments[i].n)
-                            if (node != no_node) nodes.insert_shared(node);
-                });
-            }
+            if (!motion_.conditions.empty()) add_surface_nodes(tables.nodes.size(), nodes);
             model_.motion_ = find_motion(std::move(motion_), resolver, nodes, tables.nodes.size(),
                                          model_.groups_, model_.surfaces_);
         }
         if (has(needs_, Needs::surface_users)) find_users(deck_, index_, model_.groups_, model_.surfaces_);
+    }
+
+    /// The nodes of all main surfaces. Threads mark bytes, as bits of one word would be theirs in turn only.
+    void add_surface_nodes(std::size_t node_count, NodeSet& nodes) {
+        constexpr std::size_t piece = 1 << 16; // whole words of the set
+        const auto pieces = [](std::size_t count) { return (count + piece - 1) / piece; };
+        std::vector<uint8_t> marked(node_count, 0);
+        for (const Surface& surface : model_.surfaces_) {
+            const std::span<const Segment> segments = surface.segments;
+            parallel_for(threads_, pieces(segments.size()), [&](std::size_t p) {
+                for (const Segment& segment :
+                     segments.subspan(p * piece).first(std::min(piece, segments.size() - p * piece)))
+                    for (const NodeRow node : segment.n)
+                        if (node != no_node)
+                            std::atomic_ref(marked[index(node)]).store(1, std::memory_order_relaxed);
+            });
+        }
+        parallel_for(threads_, pieces(node_count), [&](std::size_t p) {
+            for (std::size_t i = p * piece; i < std::min(node_count, (p + 1) * piece); ++i)
+                if (marked[i]) nodes.insert(NodeRow{static_cast<uint32_t>(i)});
+        });
     }
 
     /// Without coordinates: the list as written.
