@@ -135,7 +135,6 @@ private:
                 mesh_.x[i] =
                     at.blank.back(scene_.motions[surface_.motion[i]].placement(at.t)(surface_.mesh.x[i]));
         closest_ = std::make_unique<ClosestSegment>(mesh_);
-        std::fill(track_.begin(), track_.end(), ClosestTrack{});
     }
 
     At look(std::size_t i, const Instant& now) {
@@ -144,7 +143,8 @@ private:
         at.x = now.bead[i];
         const std::size_t last = now.bead.size() - 1;
         at.chord = 0.5 * (now.bead[std::min(i + 1, last)] - now.bead[i > 0 ? i - 1 : 0]);
-        const ClosestHit hit = closest_->find(now.blank.back(at.x), track_[i]);
+        const Vec3 seen = now.blank.back(at.x);
+        const ClosestHit hit = one_motion_ ? closest_->find(seen, track_[i]) : closest_->find(seen);
         at.contact.on_surface = hit.found();
         if (!hit.found()) return at;
         at_rim_ = at_rim_ || !hit.exact;
@@ -467,7 +467,7 @@ private:
     std::vector<double> q_;     ///< slider force
     std::vector<double> share_; ///< of the arc length, along the deck's coordinates
     std::vector<At> then_, now_;
-    std::vector<ClosestTrack> track_; ///< of each node on the blank as it is shaped now
+    std::vector<ClosestTrack> track_; ///< of each node, on a blank that keeps its shape
     std::vector<double> corners_;     ///< times at which a step is split
     uint32_t reference_ = 0;
     double t_ = 0, shape_of_ = 0;
