@@ -17,8 +17,9 @@ import time
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 FLAGS = ["-std=c++20", "-O1", "-ffp-contract=off", "-pthread", "-w"]
 SOURCES = ["base/*.cpp", "geometry/*.cpp", "bead/*.cpp", "contact/*.cpp", "study/hard_*.cpp",
-           *(f"force/{name}.cpp" for name in ("evaluator", "manual_run", "solver_run", "motion", "moving_surface",
-                                              "plan", "time_table"))]
+           *(f"force/{name}.cpp" for name in ("evaluator", "manual_run", "solver_run", "solver_block",
+                                              "solver_block_avx2", "motion", "moving_surface", "plan",
+                                              "time_table"))]
 SWITCH = """#pragma once
 #include <cstdlib>
 inline bool drawbead_mutant(int number) {
@@ -88,7 +89,9 @@ guard("beside-along.solver.double", SOLVER, "at.eta = select(at.inside, «max(-o
 guard("lifted-beside-contact.solver.double", SOLVER, "state.stored = «only(e * T, state.stored)»;", "e * T")
 
 CLOSEST = "geometry/closest_point.cpp"
-guard("closest-point-segment.manual.double", CLOSEST, "double t = «squared_length > 0» ?", "true")
+guard("closest-point-segment.manual.double", CLOSEST,
+      "double t = «!(along > 0) ? 0.0 : !(along < squared_length) ? 1.0 : along / squared_length»;",
+      "std::clamp(along / squared_length, 0.0, 1.0)")
 guard("closest-triangle.manual.double", CLOSEST, "«if (length == 0) continue;»", "")
 guard("closest-corner.manual.double", CLOSEST, "«if ((1 - t) * length <= tolerance) t = 1;»", "")
 guard("closest-concave.manual.double", CLOSEST, "const bool planar = «convex» &&", "true")
@@ -152,7 +155,8 @@ guard("window-empty.solver.double", SOLVER_RUN, "if («t < bead_.t_start || t > 
       "t < bead_.t_start || t >= bead_.t_stop")
 guard("one-place.solver.double", SOLVER_RUN, "has(Effect::variation) && «s_.back() > 0» ?", "true")
 guard("one-place-capacity.solver.double", SOLVER_RUN, "const double share = «length > 0» ?", "true")
-guard("void-stored.solver.double", SOLVER_RUN, "bead_.iform != 1 && «k > 0» &&", "true")
+guard("void-stored.solver.double", "force/solver_block_kernel.h",
+      "const auto holds = «both(segment.stiffness > none, abs(f.ft_limit) > none)»;", "abs(f.ft_limit) > none")
 guard("Fn-last-alone.solver.double", SOLVER_RUN, "«if (law_.fn_first == 0) law_.fn_last = 0;»", "")
 
 MOTION = "force/motion.cpp"
