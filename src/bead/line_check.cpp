@@ -144,9 +144,9 @@ public:
     bool followed_by_list() const;
     bool is_orderly() const;
     bool is_improvable() const;
-    /// A walk of few places, beyond doubt and without corners? A list that goes out and back on it is then
-    /// taken for disorder, as chance makes such lists; many places do not fall into two legs by chance.
-    bool is_short_and_smooth(const LineWalk& walk) const;
+    /// Few places, whose walk is beyond doubt and without corners? A list that goes out and back on it is
+    /// then taken for disorder, as chance makes such lists; many places do not fall into two legs by chance.
+    bool are_few_and_smooth() const;
     std::vector<uint32_t> branches() const;
     /// Walks every part along the tree.
     LineWalk walk() const;
@@ -310,9 +310,11 @@ bool Places::is_improvable() const {
     return false;
 }
 
-bool Places::is_short_and_smooth(const LineWalk& walk) const {
+bool Places::are_few_and_smooth() const {
     constexpr uint32_t few = 12;
-    if (size() > few || !walk.unambiguous || walk.pieces.size() != 1) return false;
+    if (size() > few) return false;
+    const LineWalk walk = this->walk();
+    if (!walk.unambiguous || walk.pieces.size() != 1) return false;
     for (std::size_t k = 1; k + 1 < walk.order.size(); ++k) {
         const Vec3 before = at_[walk.order[k - 1]], here = at_[walk.order[k]], after = at_[walk.order[k + 1]];
         if (turn(here - before, after - here) > Legs::smooth) return false;
@@ -583,8 +585,8 @@ LineCheck check_line(std::span<const Vec3> x, std::span<const uint32_t> node,
         check.list_length += places.hop(i - 1, i);
 
     const bool follows = places.followed_by_list();
-    if (!follows) check.walk = places.walk();
-    if (!follows && (places.is_short_and_smooth(check.walk) || !places.is_orderly())) {
+    if (!follows && (places.are_few_and_smooth() || !places.is_orderly())) {
+        check.walk = places.walk();
         check.walk.branches = places.branches();
         check.scrambled = check.walk.branches.empty() && (places.is_improvable() || check.walk.unambiguous);
         for (uint32_t& p : check.walk.branches)

@@ -123,7 +123,7 @@ private:
         block_.x.set(lane, x_[i]);
         block_.half_chord.set(lane, half_chord_[i]);
         block_.s_fraction[lane] = s_[i] / length_;
-        block_.tool_velocity.set(lane, tool_velocity(i, n));
+        if (block_.books) block_.tool_velocity.set(lane, tool_velocity(i, n));
     }
 
     /// What the law asks for of the segment under node i.
