@@ -1,5 +1,6 @@
 #include "base/buffer.h"
 
+#include <cstring>
 #include <new>
 #include <sys/mman.h>
 
@@ -19,6 +20,12 @@ void* allocate_pages(std::size_t bytes) {
         mmap(nullptr, whole_pages(bytes), PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (memory == MAP_FAILED) throw std::bad_alloc();
     madvise(memory, whole_pages(bytes), MADV_HUGEPAGE);
+    return memory;
+}
+
+void* allocate_zeroed_pages(std::size_t bytes) {
+    void* const memory = allocate_pages(bytes);
+    if (bytes < huge_page && memory) std::memset(memory, 0, bytes); // the kernel's pages are zero
     return memory;
 }
 

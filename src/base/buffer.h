@@ -10,6 +10,7 @@ namespace drawbead {
 
 /// Anonymous pages, huge ones where the kernel allows; nullptr for 0 bytes. Throws std::bad_alloc.
 void* allocate_pages(std::size_t bytes);
+void* allocate_zeroed_pages(std::size_t bytes);
 void free_pages(void* memory, std::size_t bytes) noexcept;
 
 /// Fixed-capacity array of trivially copyable T, uninitialised; `resize` only changes the count within the
@@ -20,6 +21,13 @@ class Buffer {
 
 public:
     Buffer() = default;
+    /// All bytes 0; of a large one only what is touched costs time and memory.
+    static Buffer zeroed(std::size_t capacity) {
+        Buffer out;
+        out.data_ = static_cast<T*>(allocate_zeroed_pages(capacity * sizeof(T)));
+        out.size_ = out.capacity_ = capacity;
+        return out;
+    }
     explicit Buffer(std::size_t capacity)
         : data_(static_cast<T*>(allocate_pages(capacity * sizeof(T)))), size_(capacity), capacity_(capacity) {
     }

@@ -56,12 +56,12 @@ private:
 };
 
 /// Segments as they meet across edges; returns segments of islands that have no two sides.
-std::vector<uint32_t> join_neighbours(std::span<const Segment> segments, uint32_t nodes, Islands& islands) {
+std::vector<uint32_t> join_neighbours(const SegmentList& segments, uint32_t nodes, Islands& islands) {
     struct Use {
         uint32_t high, segment; ///< the edge's larger node; twice the segment, plus 1 from low to high
     };
     const auto each_edge = [&](uint32_t s, auto&& visit) {
-        const Segment& segment = segments[s];
+        const Segment segment = segments[s];
         if (segment.solid_backed) return;
         for (const NodeRow n : segment.n)
             if (index(n) >= nodes) return;
@@ -135,7 +135,7 @@ bool go_together(const Wish& a, const Wish& b) {
 
 } // namespace
 
-SegmentTurns find_turns(std::span<const Segment> segments, uint32_t nodes, std::span<const BeadVotes> beads) {
+SegmentTurns find_turns(const SegmentList& segments, uint32_t nodes, std::span<const BeadVotes> beads) {
     SegmentTurns out;
     Islands islands(segments.size());
     std::vector<uint32_t> bad = join_neighbours(segments, nodes, islands);
@@ -175,7 +175,7 @@ SegmentTurns find_turns(std::span<const Segment> segments, uint32_t nodes, std::
         uint32_t last = 0xffffffffu;
         std::array<uint8_t, 2> now{};
         for (uint32_t s = 0; s < segments.size(); ++s) {
-            if (segments[s].solid_backed) continue;
+            if (segments.solid_backed(s)) continue;
             const Islands::Found at = islands.find(s);
             if (at.root != last) {
                 const auto found = known.find(at.root);

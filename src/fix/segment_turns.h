@@ -37,6 +37,6 @@ struct SegmentTurns {
 /// each such island takes the side that its beads are on, as a whole. Islands that no bead judges stay as
 /// they are, and so do those of which no two sides can be told (a Moebius strip). An edge of three and more
 /// segments joins nothing; segments that the Starter turns (solid-backed) take no part.
-SegmentTurns find_turns(std::span<const Segment>, uint32_t nodes, std::span<const BeadVotes>);
+SegmentTurns find_turns(const SegmentList&, uint32_t nodes, std::span<const BeadVotes>);
 
 } // namespace drawbead

@@ -108,7 +108,7 @@ public:
     std::optional<Fix> make() {
         if (!surface_.evaluated)
             return planner_.decline("surface " + std::to_string(surface_.id) + " could not be expanded");
-        const SegmentTurns turns = find_turns(surface_.segments.span(), model_.nodes().size(), votes_);
+        const SegmentTurns turns = find_turns(surface_.segments, model_.nodes().size(), votes_);
         if (turns.groups.empty()) return planner_.decline("the side of its beads cannot be told");
         const bool outside = !surface_.users.empty() || !turns.undecided.empty();
         planner_.claim(surface_.block);
@@ -528,7 +528,7 @@ std::optional<Fix> repair_surface(const Model& model, uint32_t surface, const st
 bool has_solid_faces(const Surface& surface) {
     // They stand behind everything else.
     return surface.segments.size() > surface.lines.size() &&
-           (surface.segments.end() - 1)->kind == ElementKind::solid;
+           surface.segments[surface.segments.size() - 1].kind == ElementKind::solid;
 }
 
 } // namespace drawbead

@@ -5,6 +5,7 @@
 #include "deck/card.h"
 #include "deck/deck.h"
 #include "model/ids.h"
+#include "model/segment_list.h"
 
 #include <array>
 #include <cstdint>
@@ -75,20 +76,6 @@ struct NodeGroup {
     std::string title;
 };
 
-/// What a segment comes from.
-enum class ElementKind : uint8_t { none, shell4, shell3, solid };
-
-/// One oriented main segment: a triangle repeats its third node.
-struct Segment {
-    std::array<NodeRow, 4> n{no_node, no_node, no_node, no_node};
-    uint32_t element = 0;                 ///< row in its table
-    ElementKind kind = ElementKind::none; ///< the element that gives stiffness and thickness
-    int8_t sense = 1;                     ///< −1: reversed against the element, by a minus sign or _O
-    bool solid_backed = false;            ///< turned outward by the Starter: its listed order does not count
-    bool repaired = false; ///< two equal neighbours were listed and brought to n1 n2 n3 n3 (warning 106)
-};
-static_assert(sizeof(Segment) == 24);
-
 /// A segment of SEG lines that has a solid behind it and whose stiffness a shell gives: the solid's stiffness
 /// counts in the surface's minimum all the same.
 struct CoatedSolid {
@@ -123,7 +110,7 @@ struct Surface {
     SurfaceId id = 0;
     BlockIndex block = 0;
     std::string type;             ///< "PART", "SEG", "GRSHEL", "PART/EXT", "SET" …
-    Buffer<Segment> segments;     ///< in the order of the tables that they come from
+    SegmentList segments;         ///< in the order of the tables that they come from
     bool in_storage_order = true; ///< whether that is the solver's storage order
     std::vector<Span>
         lines; ///< SEG lines of segments [0, lines.size()), in their own order; empty without SEG

@@ -178,9 +178,10 @@ private:
             for (const NodeGroup& group : model_.groups_)
                 for (const NodeRow node : group.nodes)
                     nodes.insert(node);
-            if (!motion_.conditions.empty()) add_surface_nodes(tables.nodes.size(), nodes);
-            model_.motion_ = find_motion(std::move(motion_), resolver, nodes, tables.nodes.size(),
-                                         model_.groups_, model_.surfaces_);
+            const std::size_t count = tables.nodes.size();
+            model_.motion_ = find_motion(
+                std::move(motion_), resolver, nodes, [&](NodeSet& set) { add_surface_nodes(count, set); },
+                count, model_.groups_, model_.surfaces_);
         }
         if (has(needs_, Needs::surface_users)) find_users(deck_, index_, model_.groups_, model_.surfaces_);
     }
@@ -191,11 +192,10 @@ private:
         const auto pieces = [](std::size_t count) { return (count + piece - 1) / piece; };
         std::vector<uint8_t> marked(node_count, 0);
         for (const Surface& surface : model_.surfaces_) {
-            const std::span<const Segment> segments = surface.segments;
+            const SegmentList& segments = surface.segments;
             parallel_for(threads_, pieces(segments.size()), [&](std::size_t p) {
-                for (const Segment& segment :
-                     segments.subspan(p * piece).first(std::min(piece, segments.size() - p * piece)))
-                    for (const NodeRow node : segment.n)
+                for (std::size_t i = p * piece; i < std::min(segments.size(), (p + 1) * piece); ++i)
+                    for (const NodeRow node : segments.nodes(i))
                         if (node != no_node)
                             std::atomic_ref(marked[index(node)]).store(1, std::memory_order_relaxed);
             });

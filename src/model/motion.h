@@ -1,6 +1,7 @@
 #pragma once
 // What a deck prescribes of the motion of the nodes that drawbeads look at: their own, those of their main
 // surfaces, and the main nodes of rigid bodies.
+#include "base/buffer.h"
 #include "geometry/vec3.h"
 #include "model/entities.h"
 
@@ -56,8 +57,8 @@ struct DeckMotion {
     std::vector<MotionFunction> functions;
     std::vector<MotionCondition> conditions; ///< in deck order
     std::vector<std::vector<uint32_t>>
-        classes;                   ///< conditions that act on a node; [0] is of nodes without any
-    std::vector<uint32_t> of_node; ///< class by node row; empty unless Needs::motion
+        classes;              ///< conditions that act on a node; [0] is of nodes without any
+    Buffer<uint32_t> of_node; ///< class by node row; empty unless Needs::motion
     /// By target: how many nodes of drawbeads and main surfaces it has; empty: it does not exist.
     std::vector<std::optional<std::size_t>> target_nodes;
 };

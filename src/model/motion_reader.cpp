@@ -329,12 +329,12 @@ MotionOptions target_options(const OptionIndex& index, std::span<const MotionTar
 }
 
 DeckMotion find_motion(MotionOptions options, Resolver& resolver, const NodeSet& nodes,
-                       std::size_t node_count, std::span<const NodeGroup> groups,
-                       std::span<const Surface> surfaces) {
+                       const std::function<void(NodeSet&)>& add_surfaces, std::size_t node_count,
+                       std::span<const NodeGroup> groups, std::span<const Surface> surfaces) {
     DeckMotion out;
     out.functions = std::move(options.functions);
     out.classes.emplace_back();
-    out.of_node.assign(node_count, 0);
+    out.of_node = Buffer<uint32_t>::zeroed(node_count);
     out.target_nodes.resize(options.targets);
 
     NodeSet wanted = nodes;
@@ -346,6 +346,27 @@ DeckMotion find_motion(MotionOptions options, Resolver& resolver, const NodeSet&
         }
     }
     std::map<BlockIndex, std::vector<NodeRow>> of_group; // one group may serve many conditions
+    bool beads_only = true;
+    for (const GroupCondition& one : options.conditions) {
+        beads_only = beads_only && !one.member && !one.main_surface;
+        for (const int64_t id : one.nodes)
+            if (const auto node = resolver.row(id)) beads_only = beads_only && wanted.contains(*node);
+        if (!one.group || of_group.contains(*one.group)) continue;
+        if (!resolver.lists_nodes(*one.group)) {
+            beads_only = false;
+            continue;
+        }
+        NodeSet set(node_count);
+        resolver.nodes(*one.group, set, nullptr);
+        beads_only = beads_only && wanted.contains(set);
+        of_group.emplace(*one.group, set.rows());
+    }
+    if (!beads_only) {
+        add_surfaces(wanted);
+        for (auto& [group, rows] : of_group)
+            std::erase_if(rows, [&](NodeRow node) { return !wanted.contains(node); });
+    }
+
     std::map<std::pair<uint32_t, uint32_t>, uint32_t> next_class;
     for (GroupCondition& one : options.conditions) {
         const auto number = static_cast<uint32_t>(out.conditions.size());

@@ -4,6 +4,7 @@
 #include "model/node_set.h"
 #include "model/resolver.h"
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -33,8 +34,11 @@ MotionOptions target_options(const OptionIndex&, std::span<const MotionTarget>, 
 /// Adds what presses the tools: rigid bodies and loads.
 void add_loads(const Deck&, const OptionIndex&, IssueLog&, MotionOptions&);
 
-/// Finds out which conditions act on each of `nodes` and on the main nodes of rigid bodies that hold some.
-DeckMotion find_motion(MotionOptions, Resolver&, const NodeSet& nodes, std::size_t node_count,
+/// Finds out which conditions act on each of `nodes`, on those that `add_surfaces` adds to a set, and on the
+/// main nodes of rigid bodies that hold some. Where lists of nodes name none but `nodes`, as for beads that a
+/// deck only holds in place, `add_surfaces` is not called.
+DeckMotion find_motion(MotionOptions, Resolver&, const NodeSet& nodes,
+                       const std::function<void(NodeSet&)>& add_surfaces, std::size_t node_count,
                        std::span<const NodeGroup>, std::span<const Surface>);
 
 } // namespace drawbead

@@ -16,6 +16,11 @@ public:
     std::size_t capacity() const { return 64 * words_.size(); } ///< number of nodes, rounded up
 
     bool contains(NodeRow row) const { return words_[index(row) / 64] >> (index(row) % 64) & 1; }
+    bool contains(const NodeSet& other) const {
+        for (std::size_t i = 0; i < words_.size(); ++i)
+            if (other.words_[i] & ~words_[i]) return false;
+        return true;
+    }
     void insert(NodeRow row) { words_[index(row) / 64] |= bit(row); }
     /// As insert; several threads may call it at a time.
     void insert_shared(NodeRow row) {

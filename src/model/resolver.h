@@ -71,6 +71,7 @@ public:
     /// The nodes of a group, without order; `only` restricts the work to some nodes. False when the group
     /// cannot be expanded, which is reported.
     bool nodes(BlockIndex group, NodeSet& set, const NodeSet* only = nullptr);
+    bool lists_nodes(BlockIndex group) const { return is_node_list(deck_.blocks()[group].keyword); }
 
     /// Likewise the nodes of one reference.
     bool member_nodes(const Member& member, NodeSet& set, const NodeSet* only = nullptr) {

@@ -123,9 +123,55 @@ void turn_outward(const Tables& tables, uint32_t solid, Segment& segment) {
         std::reverse(segment.n.begin(), segment.n.end());
 }
 
+/// Whether the rows of a run are segments as they stand; and, then, whether their ids ascend.
+struct PlainRun {
+    bool plain = true, ascending = true;
+};
+
+PlainRun look_at_run(const ShellTable& table, const SegmentRun& run, unsigned threads) {
+    const uint32_t count = run.end - run.begin;
+    std::vector<PlainRun> found((count + rows_per_piece - 1) / rows_per_piece);
+    parallel_for(threads, found.size(), [&](std::size_t p) {
+        const auto begin = run.begin + static_cast<uint32_t>(p) * rows_per_piece;
+        const uint32_t end = std::min(run.end, begin + rows_per_piece);
+        bool plain = true, ascending = true;
+        uint32_t last_id = p > 0 ? table.id[begin - 1] : 0;
+        for (uint32_t row = begin; row < end; ++row) {
+            const std::array<NodeRow, 4>& n = table.nodes[row];
+            plain &= n[0] != no_node && n[1] != no_node && n[2] != no_node && n[3] != no_node &&
+                     n[0] != n[1] && n[1] != n[2] && n[2] != n[3] && n[3] != n[0];
+            ascending &= last_id <= table.id[row];
+            last_id = table.id[row];
+        }
+        found[p] = {plain, ascending};
+    });
+    PlainRun all;
+    for (const PlainRun& one : found) {
+        all.plain &= one.plain;
+        all.ascending &= one.ascending;
+    }
+    return all;
+}
+
+/// A blank is mostly one run of quads: then its segments need not be written at all.
+bool see_in_table(const SurfaceContent& content, const ShellTable& quads, unsigned threads,
+                  Surface& surface) {
+    const bool one_run = content.listed.empty() && content.shells3.empty() && content.faces.empty() &&
+                         content.shells4.size() == 1 && content.shells4[0].sense > 0;
+    if (!one_run) return false;
+    const SegmentRun& run = content.shells4[0];
+    const PlainRun found = look_at_run(quads, run, threads);
+    if (!found.plain) return false;
+    surface.in_storage_order = found.ascending;
+    surface.segments = SegmentList(ElementKind::shell4, run.begin,
+                                   quads.nodes.span().subspan(run.begin, run.end - run.begin));
+    return true;
+}
+
 } // namespace
 
 void write_segments(SurfaceContent& content, const Tables& tables, unsigned threads, Surface& surface) {
+    if (see_in_table(content, tables.shells4, threads, surface)) return;
     std::vector<Written> written(content.listed.size());
     parallel_for(threads, written.size(), [&](std::size_t p) {
         written[p] = write_listed(tables.nodes, content.listed[p]);
@@ -175,14 +221,14 @@ void write_segments(SurfaceContent& content, const Tables& tables, unsigned thre
         segments.resize(static_cast<std::size_t>(end - segments.begin()));
     }
     surface.in_storage_order = ordered;
-    surface.segments = std::move(segments);
+    surface.segments = SegmentList(std::move(segments));
 }
 
 void find_elements_behind(const Tables& tables, unsigned threads,
                           const std::function<bool(ShellRef, ShellRef)>& stronger, Surface& surface) {
     const auto count = static_cast<uint32_t>(surface.lines.size());
     if (count == 0) return;
-    Segment* const segments = surface.segments.data();
+    const std::span<Segment> segments = surface.segments.stored();
 
     // Segments by their first node: an element that has the node may lie behind them.
     std::vector<uint32_t> begin(tables.nodes.size() + std::size_t{1}), by_node(count);
@@ -270,9 +316,8 @@ void find_elements_behind(const Tables& tables, unsigned threads,
 }
 
 void turn_faces_outward(const Tables& tables, Surface& surface) {
-    if (tables.solids.id.empty()) return;
-    for (std::size_t i = surface.lines.size(); i < surface.segments.size(); ++i) {
-        Segment& segment = surface.segments[i];
+    if (tables.solids.id.empty() || !surface.segments.is_stored()) return;
+    for (Segment& segment : surface.segments.stored().subspan(surface.lines.size())) {
         if (segment.kind == ElementKind::solid && segment.solid_backed)
             turn_outward(tables, segment.element, segment);
     }

@@ -3,15 +3,13 @@
 #include "base/parallel.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <utility>
 
 namespace drawbead {
 
 namespace {
 
-static_assert(sizeof(NodeRow) == sizeof(uint32_t) && offsetof(Segment, n) == 0,
-              "segments are seen through SegmentArray");
+static_assert(sizeof(NodeRow) == sizeof(uint32_t), "segments are seen through SegmentArray");
 
 uint32_t range_at(const std::vector<ElementRange>& ranges, uint32_t row) {
     const auto range = std::upper_bound(ranges.begin(), ranges.end(), row,
@@ -43,7 +41,8 @@ std::optional<std::array<Vec3, 8>> stored_corners(const Model& model, uint32_t r
 
 SegmentMesh segment_mesh(const Model& model, const Surface& surface) {
     SegmentMesh mesh;
-    mesh.segment = SegmentArray(surface.segments.data(), surface.segments.size(), sizeof(Segment));
+    mesh.segment =
+        SegmentArray(surface.segments.first_nodes(), surface.segments.size(), surface.segments.stride());
     mesh.x = model.nodes().x.span();
     mesh.node_id = model.nodes().id.span();
     if (!surface.in_storage_order)

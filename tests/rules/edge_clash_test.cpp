@@ -42,7 +42,9 @@ std::vector<Segment> plate(uint32_t columns, uint32_t rows, bool triangles = fal
 }
 
 EdgeClashes clashes(const std::vector<Segment>& s, uint32_t nodes, unsigned threads = 1) {
-    return edge_clashes(s, nodes, threads);
+    Buffer<Segment> stored(s.size());
+    std::copy(s.begin(), s.end(), stored.begin());
+    return edge_clashes(SegmentList(std::move(stored)), nodes, threads);
 }
 
 /// Every edge in a map: the definition.

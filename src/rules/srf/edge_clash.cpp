@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 
 namespace drawbead {
 
@@ -32,10 +31,12 @@ constexpr uint32_t hash(uint32_t node) {
 }
 
 /// Nodes of a segment as plain numbers; false when it takes no part.
-bool corners(const Segment& s, uint32_t nodes, std::array<uint32_t, 4>& n) {
+inline __attribute__((always_inline)) bool corners(const SegmentList& segments, std::size_t i, uint32_t nodes,
+                                                   std::array<uint32_t, 4>& n) {
+    const std::array<NodeRow, 4> rows = segments.nodes(i);
     for (std::size_t k = 0; k < 4; ++k)
-        n[k] = index(s.n[k]);
-    return !s.solid_backed && std::max({n[0], n[1], n[2], n[3]}) < nodes;
+        n[k] = index(rows[k]);
+    return !segments.solid_backed(i) && std::max({n[0], n[1], n[2], n[3]}) < nodes;
 }
 
 std::pair<std::size_t, std::size_t> piece_of(std::size_t count, std::size_t pieces, std::size_t piece) {
@@ -43,23 +44,22 @@ std::pair<std::size_t, std::size_t> piece_of(std::size_t count, std::size_t piec
 }
 
 /// Bit per node: the hashes around it do not cancel.
-std::vector<uint64_t> open_nodes(std::span<const Segment> segments, uint32_t nodes, unsigned threads) {
+std::vector<uint64_t> open_nodes(const SegmentList& segments, uint32_t nodes, unsigned threads) {
     // One sum per thread; more than four would cost more memory than they save time.
     const std::size_t pieces = std::clamp<std::size_t>(threads, 1, 4);
     constexpr std::size_t ahead = 16;
     std::vector<Buffer<uint32_t>> sums(pieces);
     parallel_for(threads, pieces, [&](std::size_t piece) {
-        sums[piece] = Buffer<uint32_t>(nodes);
+        sums[piece] = Buffer<uint32_t>::zeroed(nodes);
         uint32_t* const sum = sums[piece].data();
-        std::memset(sum, 0, nodes * sizeof(uint32_t));
         const auto [begin, end] = piece_of(segments.size(), pieces, piece);
         std::array<uint32_t, 4> n;
         for (std::size_t i = begin; i < end; ++i) {
             // Where nodes are numbered at random every sum is far from the last one.
             if (i + ahead < end)
-                for (const NodeRow row : segments[i + ahead].n)
+                for (const NodeRow row : segments.nodes(i + ahead))
                     if (index(row) < nodes) __builtin_prefetch(sum + index(row), 1);
-            if (!corners(segments[i], nodes, n)) continue;
+            if (!corners(segments, i, nodes, n)) continue;
             const uint32_t h0 = hash(n[0]), h1 = hash(n[1]), h2 = hash(n[2]);
             if (n[2] == n[3]) {
                 sum[n[0]] += h1 - h2;
@@ -95,7 +95,7 @@ std::vector<uint64_t> open_nodes(std::span<const Segment> segments, uint32_t nod
 }
 
 /// Uses of edges whose ends are both open, sorted.
-std::vector<EdgeUse> open_edges(std::span<const Segment> segments, uint32_t nodes,
+std::vector<EdgeUse> open_edges(const SegmentList& segments, uint32_t nodes,
                                 const std::vector<uint64_t>& open, unsigned threads) {
     const std::size_t pieces = std::max<std::size_t>(1, std::min<std::size_t>(segments.size() / 65536, 64));
     std::vector<std::vector<EdgeUse>> found(pieces);
@@ -105,7 +105,7 @@ std::vector<EdgeUse> open_edges(std::span<const Segment> segments, uint32_t node
         const auto [begin, end] = piece_of(segments.size(), pieces, piece);
         std::array<uint32_t, 4> n;
         for (std::size_t i = begin; i < end; ++i) {
-            if (!corners(segments[i], nodes, n)) continue;
+            if (!corners(segments, i, nodes, n)) continue;
             const std::array<bool, 4> at{is_open(n[0]), is_open(n[1]), is_open(n[2]), is_open(n[3])};
             if (int{at[0]} + at[1] + at[2] + at[3] < 2) continue;
             for (std::size_t k = 0; k < 4; ++k) {
@@ -141,8 +141,7 @@ std::vector<EdgeUse> open_edges(std::span<const Segment> segments, uint32_t node
     return all;
 }
 
-bool same_nodes(const Segment& a, const Segment& b) {
-    auto x = a.n, y = b.n;
+bool same_nodes(std::array<NodeRow, 4> x, std::array<NodeRow, 4> y) {
     std::sort(x.begin(), x.end());
     std::sort(y.begin(), y.end());
     return x == y;
@@ -150,7 +149,7 @@ bool same_nodes(const Segment& a, const Segment& b) {
 
 } // namespace
 
-EdgeClashes edge_clashes(std::span<const Segment> segments, uint32_t nodes, unsigned threads) {
+EdgeClashes edge_clashes(const SegmentList& segments, uint32_t nodes, unsigned threads) {
     EdgeClashes out;
     if (segments.empty() || nodes == 0) return out;
     const std::vector<EdgeUse> uses =
@@ -161,7 +160,7 @@ EdgeClashes edge_clashes(std::span<const Segment> segments, uint32_t nodes, unsi
             ++end;
         const EdgeUse &a = uses[i], &b = uses[i + 1 < uses.size() ? i + 1 : i];
         if (end - i == 2 && a.upward == b.upward && a.segment != b.segment &&
-            !same_nodes(segments[a.segment], segments[b.segment])) {
+            !same_nodes(segments.nodes(a.segment), segments.nodes(b.segment))) {
             const NodeRow low{a.low}, high{a.high};
             out.edges.push_back({a.segment, b.segment, a.upward ? low : high, a.upward ? high : low});
         }

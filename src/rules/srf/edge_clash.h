@@ -3,7 +3,6 @@
 #include "model/entities.h"
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace drawbead {
@@ -27,6 +26,6 @@ struct EdgeClashes {
 /// hashes of the previous ones are summed; they cancel where all segments around the node agree. Only edges
 /// between nodes with a remainder (borders, clashes) are looked at one by one. A clash is missed only when a
 /// sum of 32 bits cancels by chance, one edge in two thousand million; a turned segment has several edges.
-EdgeClashes edge_clashes(std::span<const Segment>, uint32_t nodes, unsigned threads);
+EdgeClashes edge_clashes(const SegmentList&, uint32_t nodes, unsigned threads);
 
 } // namespace drawbead
