@@ -11,9 +11,15 @@
 // key.
 // clang-format off
 #define DRAWBEAD_LIMITS(LIMIT)                                                                                 \
+    LIMIT(CTX004, least_share, 0.01, 0, 1, "of DEPTH", "Distances that single precision rounds by no more than this are good enough.") \
+    LIMIT(CTX005, least_share, 0.5, 0, 1000, "of the holding force", "Beads that push a tool with no more than this part of what holds it say nothing.") \
+    LIMIT(CTX007, on_plane_steps, 0.05, 0, 0.5, "steps", "A bead that ends no farther than this from a plane of symmetry ends on it.") \
     LIMIT(ENG003, warning_share, 0.25, 0, 1, "of the total", "From this sum of jumps on it is a warning, below it a note.") \
     LIMIT(ENG010, least_share, 0.01, 0, 1, "of the total", "Less force than this at stake says nothing.")     \
     LIMIT(ENG010, warning_share, 0.05, 0, 1, "of the total", "Over this it is a warning, up to it a note.")    \
+    LIMIT(KIN003, way_depths, 0.5, 0, 1e6, "DEPTH", "A bead that travels over the sheet by more than this, and by more than `way-elements`, moves sideways; ENG006 asks for as much.") \
+    LIMIT(KIN003, way_elements, 0.1, 0, 1e6, "elements", "A bead that travels over the sheet by more than this, and by more than `way-depths`, moves sideways; ENG006 asks for as much.") \
+    LIMIT(KIN006, lift_depths, 1e-3, 0, 100, "DEPTH", "A node that comes up by no more than this has not lifted off.") \
     LIMIT(LIN001, ratio, 3, 1, 1000, "usual steps", "A gap is longer than this times the usual step around it, and longer than `elements`.") \
     LIMIT(LIN001, elements, 2, 0, 1000, "elements", "A gap is longer than this many elements under it, where their size is known.") \
     LIMIT(LIN003, coincident_steps, 1e-6, 0, 0.5, "steps", "Nodes closer than this part of the median step stand at one place.") \
@@ -42,6 +48,7 @@
     LIMIT(SRF010, elements, 2, 0, 100, "elements", "A second layer counts when it is no more than this many elements behind the closest one.") \
     LIMIT(SRF011, least_share, 1e-6, 0, 1, "of the thickness", "Thicknesses whose halves differ by no more than this are the same.") \
     LIMIT(SRF011, warning_share, 0.01, 0, 100, "of DEPTH", "From this shift of the ramp on it is a warning, below it a note.") \
+    LIMIT(STB004, step_share, 0.9, 0.01, 1, "of the elements' step", "The scale factor that the run has in /DT: steps that stay stable at this part of the elements' step are good enough.") \
     LIMIT(STB005, speed_m_per_s, 0.1, 1e-6, 100, "m/s", "Speed of the sheet at which the viscous form is judged, here and by ENG007.") \
     LIMIT(STB005, info_share, 0.5, 0, 1, "of the restraint", "Over this part reached it is a note, up to it a warning.")
 // clang-format on

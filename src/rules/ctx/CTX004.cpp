@@ -1,3 +1,4 @@
+#include "rules/limits.h"
 #include "rules/lin/bead_report.h"
 #include "rules/support.h"
 #include "rules/text.h"
@@ -11,7 +12,6 @@ namespace drawbead {
 namespace {
 
 void check(const RuleContext& context, FindingSink& sink) {
-    constexpr double noticeable = 0.01; // of DEPTH
     // A distance is made of differences of coordinates: each of them is off by up to half a unit of its last
     // place, for the bead node and for the point under it, in three directions.
     constexpr double per_coordinate = 3 * std::numeric_limits<float>::epsilon() / 2;
@@ -25,7 +25,7 @@ void check(const RuleContext& context, FindingSink& sink) {
             if (most > farthest) farthest = most, node = i;
         }
         const double off = per_coordinate * farthest;
-        if (!(off > noticeable * depth)) continue;
+        if (!(off > context.limits.CTX004_least_share * depth)) continue;
         const double share = std::min(off / depth, 1.0);
         const UnitSystem& units = context.deck.work_units();
         Draft draft = draft_at_position(context, *a, list_places(context, *a), node);

@@ -1,3 +1,4 @@
+#include "rules/limits.h"
 #include "rules/lin/bead_report.h"
 #include "rules/stb/blank.h"
 #include "rules/support.h"
@@ -18,7 +19,6 @@ struct Tool {
 };
 
 void check(const RuleContext& context, FindingSink& sink) {
-    constexpr double noticeable = 0.5; // of the holding force
     std::map<int64_t, Tool> tools;
     for (const BeadAnalysis* a : beads_with_nodes(context)) {
         const InterfaceContact* first = first_cycle(context, *a);
@@ -42,7 +42,7 @@ void check(const RuleContext& context, FindingSink& sink) {
             holding = std::max(holding, -dot(held->at(t), tool.lift) / lift);
         if (!(holding > 0)) continue; // it presses another way
         const double share = lift / holding;
-        if (share <= noticeable) continue;
+        if (share <= context.limits.CTX005_least_share) continue;
         Draft draft;
         draft.primary = context.deck.blocks()[held->blocks.front()].header;
         draft.discriminator = "tool " + std::to_string(id);

@@ -1,4 +1,5 @@
 #include "rules/analysis.h"
+#include "rules/limits.h"
 #include "rules/lin/bead_report.h"
 #include "rules/support.h"
 #include "rules/text.h"
@@ -66,7 +67,7 @@ void check(const RuleContext& context, FindingSink& sink) {
             const auto on = std::find_if(planes.begin(), planes.end(), [&](const Plane& p) {
                 const double height = a->x[end].*axes[p.axis] - p.at;
                 const double rise = a->x[next].*axes[p.axis] - p.at;
-                return std::abs(height) <= 0.05 * step &&
+                return std::abs(height) <= context.limits.CTX007_on_plane_steps * step &&
                        std::abs(rise) >= 0.5 * step; // it goes away from it
             });
             if (on == planes.end()) continue;

@@ -14,7 +14,7 @@ void check(const RuleContext& context, FindingSink& sink) {
     for (const BeadAnalysis* a : beads_with_nodes(context)) {
         const BeadPath* path = path_of(context, *a);
         if (path == nullptr || !path->bead_moves || a->ft_total == 0) continue;
-        const auto sideways = [&](const NodePath& node) { return moves_sideways(*a, node); };
+        const auto sideways = [&](const NodePath& node) { return moves_sideways(context, *a, node); };
         const Affected nodes =
             affected(*a, *path, [&](const NodePath& node) { return sideways(node) ? 1.0 : 0.0; });
         if (nodes.place.empty()) continue;

@@ -1,5 +1,6 @@
 #include "rules/analysis.h"
 #include "rules/kin/path_report.h"
+#include "rules/limits.h"
 #include "rules/lin/bead_report.h"
 #include "rules/support.h"
 #include "rules/text.h"
@@ -12,13 +13,12 @@ namespace {
 
 void check(const RuleContext& context, FindingSink& sink) {
     const auto about = [&](double t) { return quantity(t, context.deck.work_units(), time_dimension, 2); };
-    constexpr double noticeable = 1e-3; // of DEPTH
     for (const BeadAnalysis* a : beads_with_nodes(context)) {
         const Drawbead& bead = *a->bead;
         const BeadPath* path = path_of(context, *a);
         if (path == nullptr || bead.iform == 1 || bead.depth <= 0 || a->ft_total == 0) continue;
         const auto lifts = [&](const NodePath& node) {
-            return node.lift && node.lift->height > noticeable * bead.depth;
+            return node.lift && node.lift->height > context.limits.KIN006_lift_depths * bead.depth;
         };
         const Affected nodes =
             affected(*a, *path, [&](const NodePath& node) { return lifts(node) ? 1.0 : 0.0; });

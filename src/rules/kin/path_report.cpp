@@ -1,6 +1,7 @@
 #include "rules/kin/path_report.h"
 
 #include "rules/analysis.h"
+#include "rules/limits.h"
 #include "rules/lin/bead_report.h"
 #include "rules/text.h"
 
@@ -41,8 +42,10 @@ Draft draft_at_affected(const RuleContext& context, const BeadAnalysis& a, const
     return draft;
 }
 
-bool moves_sideways(const BeadAnalysis& a, const NodePath& node) {
-    return node.tool_way > 0.5 * std::max(a.bead->depth, 0.0) && node.tool_way > 0.1 * node.element;
+bool moves_sideways(const RuleContext& context, const BeadAnalysis& a, const NodePath& node) {
+    const Limits& limits = context.limits;
+    return node.tool_way > limits.KIN003_way_depths * std::max(a.bead->depth, 0.0) &&
+           node.tool_way > limits.KIN003_way_elements * node.element;
 }
 
 void note_blank(const BeadPath& path, Draft& draft) {

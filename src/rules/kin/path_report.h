@@ -31,7 +31,7 @@ void note_blank(const BeadPath&, Draft&);
 
 /// Whether the node goes across the bead, in reach of the sheet, by more than an inclined sheet takes of the
 /// way along the ramp.
-bool moves_sideways(const BeadAnalysis&, const NodePath&);
+bool moves_sideways(const RuleContext&, const BeadAnalysis&, const NodePath&);
 
 /// Where the end of the run comes from; empty when it is not known.
 std::string end_text(const RuleContext&);

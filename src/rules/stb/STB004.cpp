@@ -1,3 +1,4 @@
+#include "rules/limits.h"
 #include "rules/lin/bead_report.h"
 #include "rules/stb/blank.h"
 #include "rules/stb/time_step.h"
@@ -9,11 +10,11 @@ namespace drawbead {
 namespace {
 
 void check(const RuleContext& context, FindingSink& sink) {
-    constexpr double left_by_default = 0.9; // the scale factor of the solver's own time step
+    const double left = context.limits.STB004_step_share;
     const UnitSystem& units = context.deck.work_units();
     for (const BeadAnalysis* a : beads_with_nodes(context)) {
         const auto risk = time_step_risk(context, *a);
-        if (!risk || risk->ratio() >= left_by_default) continue;
+        if (!risk || risk->ratio() >= left) continue;
         const bool ramp = risk->normal >= risk->stick;
         Draft draft = draft_at(context, *a->bead, ramp ? cells_of(*a->bead).depth : cells_of(*a->bead).ft);
         draft.entities.nodes.add(risk->node);
@@ -31,8 +32,7 @@ void check(const RuleContext& context, FindingSink& sink) {
         draft.measured.push_back({"share of the step", 100 * risk->ratio(), "%"});
         measure_cost(context, *a, fn, ft, draft);
         draft.notes.emplace_back("masses are those of the elements, without added mass");
-        draft.help = "a scale factor of " + number(left_by_default * risk->ratio(), 2) +
-                     " in /DT keeps it stable" +
+        draft.help = "a scale factor of " + number(left * risk->ratio(), 2) + " in /DT keeps it stable" +
                      (ramp ? ", or a larger DEPTH" : ", or fewer bead nodes per element");
         sink.add(std::move(draft));
     }
