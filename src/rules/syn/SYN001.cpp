@@ -109,7 +109,7 @@ void report_extra(const RuleContext& context, const Drawbead& bead, const CardLi
 
 void check(const RuleContext& context, FindingSink& sink) {
     for (const Drawbead& bead : context.model.drawbeads()) {
-        const CardLines cards = card_lines(context.deck, bead);
+        const CardLines& cards = cards_of(context, bead);
         report_missing(context, bead, cards, sink);
         report_extra(context, bead, cards, sink);
     }

@@ -71,7 +71,7 @@ void add_cost(const RuleContext& context, const Drawbead& bead, const std::vecto
 
 void check(const RuleContext& context, FindingSink& sink) {
     for (const Drawbead& bead : context.model.drawbeads()) {
-        const CardLines cards = card_lines(context.deck, bead);
+        const CardLines& cards = cards_of(context, bead);
         const Scope& scope = scope_of(context.deck, bead);
         if (!cards.usable() || scope.layout >= first_layout_with_last) continue;
         std::vector<Dropped> dropped;

@@ -97,7 +97,7 @@ void check_card_3(const RuleContext& context, const Drawbead& bead, const Span& 
 
 void check(const RuleContext& context, FindingSink& sink) {
     for (const Drawbead& bead : context.model.drawbeads()) {
-        const CardLines cards = card_lines(context.deck, bead);
+        const CardLines& cards = cards_of(context, bead);
         if (!cards.usable()) continue;
         if (cards.has_card(1)) check_card_1(context, bead, cards.lines[1], sink);
         if (cards.has_card(3)) check_card_3(context, bead, cards.lines[3], sink);

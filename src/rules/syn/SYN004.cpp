@@ -115,7 +115,7 @@ std::vector<Lines> faulty_lines(const RuleContext& context) {
         if (!lines.faults.empty()) all.push_back(std::move(lines));
     };
     for (const Drawbead& bead : context.model.drawbeads()) {
-        const CardLines cards = card_lines(context.deck, bead);
+        const CardLines& cards = cards_of(context, bead);
         if (!cards.complete()) continue;
         for (std::size_t i = 0; i < cards.fault.size(); ++i) {
             if (!cards.fault[i]) continue;
