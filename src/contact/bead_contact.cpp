@@ -91,6 +91,7 @@ SurfaceContact surface_contact(const SegmentMesh& surface, std::span<const BeadI
         out.mesh = near_mesh(surface, points, reach, options.threads);
         const bool whole = out.mesh.cells.empty();
         const ClosestSegment closest(out.mesh);
+        out.tree = closest.tree();
         bool exact = true;
         double needed = 0;
         for (std::size_t b = 0; b < beads.size(); ++b) {

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -65,6 +66,7 @@ struct ContactOptions {
 /// All beads of one surface at once. A surface without segments gives nodes without segments.
 struct SurfaceContact {
     NearMesh mesh; ///< what the beads need of the surface; solver tracks refer to it
+    std::shared_ptr<const SegmentTree> tree; ///< of `mesh`
     std::vector<BeadContact> bead;
     std::vector<std::vector<Track>> track; ///< per bead and node: the state before the first cycle
 };

@@ -20,8 +20,8 @@ double outside(double lo, double hi, double at) {
     return std::max({lo - at, at - hi, 0.0});
 }
 
-double distance_to_box(Vec3 lo, Vec3 hi, Vec3 x) {
-    return norm({outside(lo.x, hi.x, x.x), outside(lo.y, hi.y, x.y), outside(lo.z, hi.z, x.z)});
+double squared_distance_to_box(Vec3 lo, Vec3 hi, Vec3 x) {
+    return squared_norm({outside(lo.x, hi.x, x.x), outside(lo.y, hi.y, x.y), outside(lo.z, hi.z, x.z)});
 }
 
 Vec3 lower(Vec3 a, Vec3 b) {
@@ -124,6 +124,27 @@ double squared_bound_from(const NearMesh& mesh, const SegmentNodes& n, const Foo
     return bound;
 }
 
+constexpr std::size_t no_edge = 4;
+
+/// An edge of a segment that its closest point to x is on, whatever the segment's shape: the squared distance
+/// falls all over it towards that edge. no_edge: there may be none. S(u, v) is bilinear, so that its
+/// derivative (S - x) . S_u is a polynomial of degree 1 by 2, and one sign of its Bernstein coefficients is
+/// its sign everywhere. A triangle's edge 1 to 2 is told, its others are not.
+std::size_t edge_downhill(const Corners& c, Vec3 x) {
+    const Vec3 a = c[0] - x, b = c[1] - x, d = c[3] - x, e = c[2] - x;
+    const Vec3 left = c[3] - c[0], right = c[2] - c[1];
+    const double al = dot(a, left), br = dot(b, right), dl = dot(d, left), er = dot(e, right);
+    const double across_a = dot(a, right) + dot(b, left), across_d = dot(d, right) + dot(e, left);
+    if (std::min({al, br, dl, er, across_a, across_d}) > 0) return 0;
+    if (std::max({al, br, dl, er, across_a, across_d}) < 0) return 2;
+    const Vec3 bottom = c[1] - c[0], top = c[2] - c[3];
+    const double ab = dot(a, bottom), dt = dot(d, top), bb = dot(b, bottom), et = dot(e, top);
+    const double up_a = dot(a, top) + dot(d, bottom), up_b = dot(b, top) + dot(e, bottom);
+    if (std::min({ab, dt, bb, et, up_a, up_b}) > 0) return 3;
+    if (std::max({ab, dt, bb, et, up_a, up_b}) < 0) return 1;
+    return no_edge;
+}
+
 /// Indices by ascending 30-bit key, in three passes; equal keys keep their order.
 std::vector<uint32_t> sorted_by(const std::vector<uint32_t>& key) {
     std::vector<uint32_t> order(key.size()), next(key.size());
@@ -145,7 +166,7 @@ std::vector<uint32_t> sorted_by(const std::vector<uint32_t>& key) {
 } // namespace
 
 // Segments along a Morton curve, split where its highest bit changes.
-ClosestSegment::ClosestSegment(const NearMesh& mesh) : mesh_(mesh) {
+SegmentTree::SegmentTree(const NearMesh& mesh) {
     const std::size_t n = mesh.segment.size();
     if (n == 0) return;
     Vec3 lo = mesh.x[0], hi = lo;
@@ -164,21 +185,22 @@ ClosestSegment::ClosestSegment(const NearMesh& mesh) : mesh_(mesh) {
         key[s] = step(middle.x, lo.x) | step(middle.y, lo.y) << 1 | step(middle.z, lo.z) << 2;
     }
     order_ = sorted_by(key);
-    tree_.reserve(2 * (n / (leaf_size / 2) + 1));
-    build(0, static_cast<uint32_t>(n), key);
+    box_.reserve(2 * (n / (leaf_size / 2) + 1));
+    build(mesh, 0, static_cast<uint32_t>(n), key);
 }
 
-void ClosestSegment::build(uint32_t begin, uint32_t end, const std::vector<uint32_t>& key) {
-    const std::size_t self = tree_.size();
-    tree_.push_back({{}, {}, begin, end, 0});
+void SegmentTree::build(const NearMesh& mesh, uint32_t begin, uint32_t end,
+                        const std::vector<uint32_t>& key) {
+    const std::size_t self = box_.size();
+    box_.push_back({{}, {}, begin, end, 0});
     if (end - begin <= leaf_size) {
-        Vec3 lo = mesh_.x[mesh_.segment[order_[begin]][0]], hi = lo;
+        Vec3 lo = mesh.x[mesh.segment[order_[begin]][0]], hi = lo;
         for (uint32_t k = begin; k < end; ++k)
-            for (const uint32_t node : mesh_.segment[order_[k]]) {
-                lo = lower(lo, mesh_.x[node]);
-                hi = upper(hi, mesh_.x[node]);
+            for (const uint32_t node : mesh.segment[order_[k]]) {
+                lo = lower(lo, mesh.x[node]);
+                hi = upper(hi, mesh.x[node]);
             }
-        tree_[self].lo = lo, tree_[self].hi = hi;
+        box_[self].lo = lo, box_[self].hi = hi;
         return;
     }
     uint32_t middle = begin + (end - begin) / 2;
@@ -188,43 +210,135 @@ void ClosestSegment::build(uint32_t begin, uint32_t end, const std::vector<uint3
                                                             [&](uint32_t s) { return (key[s] & bit) == 0; }) -
                                        order_.begin());
     }
-    build(begin, middle, key);
-    const std::size_t right = tree_.size();
-    build(middle, end, key);
-    tree_[self].right = static_cast<uint32_t>(right);
-    tree_[self].lo = lower(tree_[self + 1].lo, tree_[right].lo);
-    tree_[self].hi = upper(tree_[self + 1].hi, tree_[right].hi);
+    build(mesh, begin, middle, key);
+    const std::size_t right = box_.size();
+    build(mesh, middle, end, key);
+    box_[self].right = static_cast<uint32_t>(right);
+    box_[self].lo = lower(box_[self + 1].lo, box_[right].lo);
+    box_[self].hi = upper(box_[self + 1].hi, box_[right].hi);
 }
+
+namespace {
+
+constexpr uint64_t hash(uint32_t node) {
+    uint64_t h = (uint64_t{node} + 1) * 0x9e3779b97f4a7c15u;
+    h ^= h >> 29;
+    h *= 0xbf58476d1ce4e5b9u;
+    return h ^ h >> 32;
+}
+
+/// Nodes around which every edge that leaves them in one segment comes back in another: hashes of the nodes
+/// after and before them cancel, by chance at one node in 2^64.
+std::vector<uint8_t> closed_nodes(const NearMesh& mesh) {
+    std::vector<uint64_t> sum(mesh.x.size(), 0), own(mesh.x.size());
+    for (uint32_t i = 0; i < own.size(); ++i)
+        own[i] = hash(i);
+    for (const SegmentNodes& n : mesh.segment) {
+        const uint64_t h0 = own[n[0]], h1 = own[n[1]], h2 = own[n[2]], h3 = own[n[3]];
+        const uint64_t last = is_triangle(n) ? h2 : h3;
+        sum[n[0]] += h1 - last;
+        sum[n[1]] += h2 - h0;
+        sum[n[2]] += (is_triangle(n) ? h0 : h3) - h1;
+        if (!is_triangle(n)) sum[n[3]] += h0 - h2;
+    }
+    std::vector<uint8_t> out(sum.size());
+    for (uint32_t i = 0; i < out.size(); ++i)
+        out[i] = sum[i] == 0 && mesh.is_complete(i) && !mesh.segments_around(i).empty();
+    return out;
+}
+
+/// Normals at the corners, not of unit length: at every place of a bilinear segment the normal is a sum of
+/// them with weights that are not negative.
+std::array<Vec3, 4> corner_normals(const Corners& c) {
+    const Vec3 ab = c[1] - c[0], bc = c[2] - c[1], cd = c[3] - c[2], da = c[0] - c[3];
+    if (is_triangle(c)) {
+        const Vec3 n = cross(ab, bc);
+        return {n, n, n, n};
+    }
+    return {cross(da, ab), cross(ab, bc), cross(bc, cd), cross(cd, da)};
+}
+
+} // namespace
+
+// Let every normal around a node be within an angle t < 90 degrees of the axis, and the surface go on in
+// every direction. Away from the foot in the direction h across the axis it then rises at an angle u with |u|
+// <= t; for a point at an angle p from the axis, towards h, that is downhill when sin(p + u) > 0: always for
+// p > t.
+NormalCone::NormalCone(const NearMesh& mesh, const SegmentTree& tree) {
+    constexpr double narrowest = 0.5, rounding = 1e-6;
+    Vec3 sum;
+    for (uint32_t s = 0; s < mesh.segment.size(); ++s)
+        sum += area_vector(mesh.corners(s));
+    axis_ = unit(sum);
+    if (!(squared_norm(axis_) > 0)) return;
+    double least = 1; // cosine, squared
+    for (uint32_t s = 0; s < mesh.segment.size(); ++s)
+        for (const Vec3& n : corner_normals(mesh.corners(s))) {
+            const double along = dot(n, axis_), squared = squared_norm(n);
+            if (!(along > 0) || !(along * along >= narrowest * narrowest * squared)) return;
+            least = std::min(least, along * along / squared);
+        }
+    const std::vector<uint8_t> node_closed = closed_nodes(mesh);
+    closed_.resize(tree.box_.size());
+    for (std::size_t b = closed_.size(); b-- > 0;) {
+        const SegmentTree::Box& box = tree.box_[b];
+        if (box.right != 0) {
+            closed_[b] = closed_[b + 1] & closed_[box.right];
+            continue;
+        }
+        closed_[b] = 1;
+        for (uint32_t k = box.begin; k < box.end; ++k)
+            for (const uint32_t node : mesh.segment[tree.order_[k]])
+                closed_[b] &= node_closed[node];
+    }
+    cos_ = std::sqrt(least) - rounding;
+    sin_ = std::sqrt(1 - cos_ * cos_);
+}
+
+ClosestSegment::ClosestSegment(const NearMesh& mesh)
+    : ClosestSegment(mesh, std::make_shared<const SegmentTree>(mesh)) {}
+
+ClosestSegment::ClosestSegment(const NearMesh& mesh, std::shared_ptr<const SegmentTree> tree)
+    : mesh_(mesh), tree_(std::move(tree)) {}
 
 /// Distances closer to each other than this are equal but for rounding.
 double ClosestSegment::tie(Vec3 x) const {
     return 16 * std::numeric_limits<double>::epsilon() *
-           std::max({magnitude_, std::abs(x.x), std::abs(x.y), std::abs(x.z)});
+           std::max({tree_->magnitude_, std::abs(x.x), std::abs(x.y), std::abs(x.z)});
 }
 
 template <class Visit>
-void ClosestSegment::visit_within(Vec3 x, const double& radius, Visit&& visit) const {
+void ClosestSegment::visit_within(Vec3 x, const double& radius, Visit&& visit, const NormalCone* cone) const {
     struct Pending {
         uint32_t box;
-        double distance;
+        double squared; ///< distance
+    };
+    const std::vector<SegmentTree::Box>& boxes = tree_->box_;
+    const std::vector<uint32_t>& order = tree_->order_;
+    const auto pending = [&](uint32_t box) {
+        return Pending{box, squared_distance_to_box(boxes[box].lo, boxes[box].hi, x)};
     };
     std::array<Pending, 80> stack;
     std::size_t depth = 0;
-    if (!tree_.empty()) stack[depth++] = {0, distance_to_box(tree_[0].lo, tree_[0].hi, x)};
+    if (!boxes.empty()) stack[depth++] = pending(0);
     while (depth > 0) {
         const Pending top = stack[--depth];
-        if (top.distance > radius) continue;
-        const Box& box = tree_[top.box];
+        if (top.squared > radius * radius) continue;
+        const SegmentTree::Box& box = boxes[top.box];
+        if (cone && cone->closed_[top.box] != 0) {
+            const Vec3 half = 0.5 * (box.hi - box.lo), away = box.lo + half - x;
+            const double along = dot(away, cone->axis_);
+            const double aside = norm(away - along * cone->axis_);
+            if (aside * cone->cos_ - std::abs(along) * cone->sin_ > norm(half) + tie(x)) continue;
+        }
         if (box.right == 0) {
             for (uint32_t k = box.begin; k < box.end; ++k)
-                if (squared_distance_to_box(mesh_.corners(order_[k]), x) <= radius * radius) visit(order_[k]);
+                if (squared_distance_to_box(mesh_.corners(order[k]), x) <= radius * radius) visit(order[k]);
             continue;
         }
-        const Box &a = tree_[top.box + 1], &b = tree_[box.right];
-        const Pending left{top.box + 1, distance_to_box(a.lo, a.hi, x)};
-        const Pending right{box.right, distance_to_box(b.lo, b.hi, x)};
-        stack[depth++] = left.distance <= right.distance ? right : left;
-        stack[depth++] = left.distance <= right.distance ? left : right;
+        const Pending left = pending(top.box + 1), right = pending(box.right);
+        stack[depth++] = left.squared <= right.squared ? right : left;
+        stack[depth++] = left.squared <= right.squared ? left : right;
     }
 }
 
@@ -381,21 +495,50 @@ bool ClosestSegment::is_local_minimum(Vec3 x, uint32_t segment, const Foot& foot
     return true;
 }
 
+/// Most segments near a point that are not the closest lie beside it: they come closest at an edge, and
+/// across that edge it goes on downhill. Seen here without a closest point.
+bool ClosestSegment::leads_on(Vec3 x, uint32_t segment, double radius) const {
+    const SegmentNodes& n = mesh_.segment[segment];
+    const std::size_t edge = edge_downhill(mesh_.corners(segment), x);
+    if (edge == no_edge) return false;
+    const FootNodes at{edge_nodes(n, edge), 2};
+    const Vec3 from = mesh_.x[at.node[0]], along = mesh_.x[at.node[1]] - from, away = x - from;
+    const double squared_length = squared_norm(along);
+    if (!(squared_length > 0)) return false;
+    const Vec3 foot = from + std::clamp(dot(away, along) / squared_length, 0.0, 1.0) * along;
+    const double distance = norm(x - foot), closer = distance - tie(x);
+    if (closer > radius) return true;
+    if (!(closer > 0)) return false;
+    for (const uint32_t s : mesh_.segments_around(at.node[0]))
+        if (s != segment && holds(mesh_.segment[s], at.node[1]) &&
+            squared_bound_from(mesh_, mesh_.segment[s], at, foot, x) < closer * closer)
+            return true;
+    return false;
+}
+
 std::optional<ClosestHit> ClosestSegment::other_layer(Vec3 x, const ClosestHit& nearest,
                                                       double within) const {
+    return other_layer(x, nearest, within, nullptr);
+}
+
+std::optional<ClosestHit> ClosestSegment::other_layer(Vec3 x, const ClosestHit& nearest, double within,
+                                                      const NormalCone* cone) const {
     if (!nearest.found()) return {};
     const SegmentNodes& own = mesh_.segment[nearest.segment];
     uint32_t best = no_segment;
-    double radius = within;
-    visit_within(x, radius, [&](uint32_t s) {
+    double closest = within, radius = within; // with room for a segment at the same distance
+    const auto visit = [&](uint32_t s) {
         const SegmentNodes& n = mesh_.segment[s];
         if (std::any_of(n.begin(), n.end(), [&](uint32_t node) { return holds(own, node); })) return;
+        if (leads_on(x, s, radius)) return;
         const Foot foot = closest_foot(mesh_.corners(s), x);
-        if (foot.distance > radius || (foot.distance == radius && best != no_segment && s > best)) return;
+        if (foot.distance > closest || (foot.distance == closest && best != no_segment && s > best)) return;
         if (!is_local_minimum(x, s, foot)) return;
         best = s;
-        radius = foot.distance;
-    });
+        closest = foot.distance;
+        radius = closest + tie(x);
+    };
+    visit_within(x, radius, visit, cone && cone->cos_ > 0 ? cone : nullptr);
     if (best == no_segment) return {};
     return complete(x, best, closest_point(mesh_.corners(best), x));
 }

@@ -5,6 +5,7 @@
 #include "geometry/closest_point.h"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -43,12 +44,49 @@ class ClosestTrack {
     std::vector<Near> near_; ///< the last closest one first
 };
 
-/// A tree of boxes over the segments of a NearMesh, which must outlive it. Const and shared by threads.
+/// Boxes over the segments of a NearMesh, by local numbers. Const and shared by threads and searches.
+class SegmentTree {
+public:
+    explicit SegmentTree(const NearMesh&);
+
+private:
+    friend class ClosestSegment;
+    friend class NormalCone;
+    struct Box {
+        Vec3 lo, hi;
+        uint32_t begin, end; ///< of order_
+        uint32_t right;      ///< 0 for a leaf; the left child follows its parent
+    };
+    std::vector<Box> box_;
+    std::vector<uint32_t> order_; ///< local segments by leaf
+    double magnitude_ = 0;        ///< largest coordinate
+
+    void build(const NearMesh&, uint32_t begin, uint32_t end, const std::vector<uint32_t>& key);
+};
+
+/// The cone that all normals of a part lie in. Where segments go on all around a node, the surface cannot
+/// come closest to a point there unless the point lies in the cone above it or below: a whole box of segments
+/// beside the point is then no other layer. (Spatial cones of normals: Johnson and Cohen, 2001.)
+class NormalCone {
+public:
+    NormalCone(const NearMesh&, const SegmentTree&);
+
+private:
+    friend class ClosestSegment;
+    Vec3 axis_;
+    double cos_ = 0, sin_ = 0;    ///< of its half angle; 0: there is no cone narrower than 60 degrees
+    std::vector<uint8_t> closed_; ///< by box: segments of it go on all around their nodes
+};
+
+/// Searches in a NearMesh, which must outlive it.
 /// Ties: when distances agree to rounding, a foot inside a segment wins over one on an edge, then the
 /// smallest storage index.
 class ClosestSegment {
 public:
     explicit ClosestSegment(const NearMesh&);
+    /// With the tree of this mesh, or of one that it was copied or moved from.
+    ClosestSegment(const NearMesh&, std::shared_ptr<const SegmentTree>);
+    const std::shared_ptr<const SegmentTree>& tree() const { return tree_; }
 
     ClosestHit find(Vec3 x) const;
     /// The same for a point that moves, and sooner; `track` is used with one point and one surface only.
@@ -57,19 +95,14 @@ public:
     /// The closest of the *other* layers: a foot where the distance has a local minimum on the surface, on a
     /// segment that shares no node with `nearest`'s, not farther than `within`.
     std::optional<ClosestHit> other_layer(Vec3 x, const ClosestHit& nearest, double within) const;
+    /// The same, and sooner where many points are asked for: with the cone of this mesh and tree.
+    std::optional<ClosestHit> other_layer(Vec3 x, const ClosestHit& nearest, double within,
+                                          const NormalCone*) const;
 
 private:
-    struct Box {
-        Vec3 lo, hi;
-        uint32_t begin, end; ///< of order_
-        uint32_t right;      ///< 0 for a leaf; the left child follows its parent
-    };
     const NearMesh& mesh_;
-    std::vector<Box> tree_;
-    std::vector<uint32_t> order_; ///< local segments by leaf
-    double magnitude_ = 0;        ///< largest coordinate
+    std::shared_ptr<const SegmentTree> tree_;
 
-    void build(uint32_t begin, uint32_t end, const std::vector<uint32_t>& key);
     double tie(Vec3 x) const;
     struct Candidates;
     ClosestHit best_of(Vec3 x, const Candidates&, bool covered) const;
@@ -77,9 +110,12 @@ private:
     /// Calls visit(segment) for segments whose box is not farther than `radius`, near ones first; it may
     /// shrink it.
     template <class Visit>
-    void visit_within(Vec3 x, const double& radius, Visit&& visit) const;
+    void visit_within(Vec3 x, const double& radius, Visit&& visit, const NormalCone* = nullptr) const;
     ClosestHit complete(Vec3 x, uint32_t segment, const Foot&) const;
     bool is_local_minimum(Vec3 x, uint32_t segment, const Foot&) const;
+    /// Whether this segment cannot be another layer: its closest point is farther than `radius`, or no local
+    /// minimum. False says nothing.
+    bool leads_on(Vec3 x, uint32_t segment, double radius) const;
 };
 
 /// The part of a surface in which the closest point of every point within `travel` of one of `points` is

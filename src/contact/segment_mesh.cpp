@@ -27,19 +27,26 @@ struct BoundingBox {
 };
 
 /// The coarse grid's cell of a coordinate, counted from 1; 0 below the grid and count + 1 above it. Monotone.
-uint32_t cell(double at, double from, double per_cell, uint32_t count) {
+uint32_t cell(double at, double from, double per_cell, double count) {
     const double c = (at - from) * per_cell + 1;
-    return static_cast<uint32_t>(std::min(std::max(0.0, c), count + 1.0)); // no branches; 0 for a NaN
+    return static_cast<uint32_t>(static_cast<int32_t>(std::min(std::max(0.0, c), count + 1))); // 0 for a NaN
 }
 
 using Cell = std::array<uint32_t, 3>;
 
-Cell cell_of(const NearMesh& m, Vec3 p) {
-    const double per_cell = 1 / m.cell_size;
-    return {cell(p.x, m.cells_min.x, per_cell, m.cell_count[0]),
-            cell(p.y, m.cells_min.y, per_cell, m.cell_count[1]),
-            cell(p.z, m.cells_min.z, per_cell, m.cell_count[2])};
-}
+/// What the cell of a point is found with, apart from the NearMesh so that a loop keeps it in registers.
+struct CellFinder {
+    Vec3 from;
+    double per_cell, nx, ny, nz;
+
+    explicit CellFinder(const NearMesh& m)
+        : from(m.cells_min), per_cell(1 / m.cell_size), nx(m.cell_count[0]), ny(m.cell_count[1]),
+          nz(m.cell_count[2]) {}
+    Cell operator()(Vec3 p) const {
+        return {cell(p.x, from.x, per_cell, nx), cell(p.y, from.y, per_cell, ny),
+                cell(p.z, from.z, per_cell, nz)};
+    }
+};
 
 /// Calls act(bit number) for the cells of the grid from lo to hi until it returns true; says whether it did.
 template <class Do>
@@ -61,27 +68,67 @@ bool is_marked(const NearMesh& m, uint64_t bit) {
     return m.cells[bit >> 6] >> (bit & 63) & 1;
 }
 
-/// Flags of a node row beside its cell: a node of the surface, a node of the part.
-constexpr uint32_t used = 1u << 30, near = 1u << 31;
+constexpr uint32_t most_per_axis = 509; ///< cells of the grid: 0 to 510 have nine bits and one to spare
 
-/// Cells packed into one number, ten bits each.
+/// What is known of a node row is one word: its cell, nine bits per axis with one between them for what a
+/// subtraction borrows, and flags: a node of the surface, a node of the part, a cell that is marked, one that
+/// is or lies beside one that is.
+constexpr uint32_t used = 1u << 30, near = 1u << 31, in_marked = 1u << 19, hot = 1u << 9;
+constexpr uint32_t ones = 1u | 1u << 10 | 1u << 20, between = ones << 9, cell_bits = between - ones;
+
+/// A cell as one number.
 uint32_t pack(const Cell& c) {
     return c[0] | c[1] << 10 | c[2] << 20;
 }
+Cell unpacked(uint32_t packed) {
+    return {packed & 511, packed >> 10 & 511, packed >> 20 & 511};
+}
 
-bool meets_marked(const NearMesh& m, const std::array<uint32_t, 4>& packed) {
-    Cell lo, hi;
-    if (packed[0] == packed[1] && packed[0] == packed[2] && packed[0] == packed[3]) {
-        lo = {(packed[0] & 1023) - 1, (packed[0] >> 10 & 1023) - 1, (packed[0] >> 20) - 1};
-        return lo[0] < m.cell_count[0] && lo[1] < m.cell_count[1] && lo[2] < m.cell_count[2] &&
-               is_marked(m, (uint64_t{lo[2]} * m.cell_count[1] + lo[1]) * m.cell_count[0] + lo[0]);
+/// Whether two packed cells are the same or neighbours, also across an edge or a corner.
+bool next_to(uint32_t a, uint32_t b) {
+    // Per axis 512 + 1 + a - b: the difference then is 0, 1 or 2 above 512.
+    const uint32_t d = (a | between) + ones - b;
+    return ((d ^ between) & ~ones & ~(ones << 1)) == 0 && (d & ones & (d >> 1)) == 0;
+}
+
+/// Flags for every cell and those around the grid, in the places that node words keep them: `hot` and
+/// `in_marked`.
+std::vector<uint32_t> cell_flags(const NearMesh& m) {
+    const uint64_t nx = uint64_t{m.cell_count[0]} + 2, ny = uint64_t{m.cell_count[1]} + 2;
+    std::vector<uint32_t> out(nx * ny * (m.cell_count[2] + 2), 0);
+    uint64_t bit = 0;
+    for (uint32_t k = 0; k < m.cell_count[2]; ++k)
+        for (uint32_t j = 0; j < m.cell_count[1]; ++j)
+            for (uint32_t i = 0; i < m.cell_count[0]; ++i, ++bit) {
+                if (!is_marked(m, bit)) continue;
+                for (uint32_t z = k; z < k + 3; ++z)
+                    for (uint32_t y = j; y < j + 3; ++y) {
+                        uint32_t* const row = &out[(z * ny + y) * nx + i];
+                        row[0] |= hot, row[1] |= hot, row[2] |= hot;
+                    }
+                out[((k + 1) * ny + j + 1) * nx + i + 1] |= in_marked;
+            }
+    return out;
+}
+
+/// Whether one of the cells from corner to corner is marked.
+bool meets_marked(const NearMesh& m, const std::array<uint32_t, 4>& word) {
+    if ((word[0] | word[1] | word[2] | word[3]) & in_marked) return true;
+    const uint32_t first = word[0] & cell_bits,
+                   other = ((word[0] ^ word[1]) | (word[0] ^ word[2]) | (word[0] ^ word[3])) & cell_bits;
+    if (other == 0) return false;
+    if (next_to(first, word[1] & cell_bits) && next_to(first, word[2] & cell_bits) &&
+        next_to(first, word[3] & cell_bits)) {
+        // Far from the points no cell beside the first corner's is marked. Along one axis there are no other
+        // cells than those of the corners.
+        const int axes = ((other & 511) != 0) + ((other >> 10 & 511) != 0) + ((other >> 20 & 511) != 0);
+        if (!(word[0] & hot) || axes == 1) return false;
     }
-    for (uint32_t a = 0; a < 3; ++a) {
-        std::array<uint32_t, 4> c;
-        for (std::size_t k = 0; k < 4; ++k)
-            c[k] = packed[k] >> 10 * a & 1023;
-        lo[a] = std::min(std::min(c[0], c[1]), std::min(c[2], c[3]));
-        hi[a] = std::max(std::max(c[0], c[1]), std::max(c[2], c[3]));
+    Cell lo = unpacked(word[0]), hi = lo;
+    for (std::size_t k = 1; k < 4; ++k) {
+        const Cell c = unpacked(word[k]);
+        for (std::size_t a = 0; a < 3; ++a)
+            lo[a] = std::min(lo[a], c[a]), hi[a] = std::max(hi[a], c[a]);
     }
     return any_cell(m, lo, hi, [&](uint64_t bit) { return is_marked(m, bit); });
 }
@@ -96,7 +143,7 @@ void mark_cells(NearMesh& m, std::span<const Vec3> points, double reach) {
     double longest = std::max({size.x, size.y, size.z});
     if (!(longest > 0)) longest = 1;
     constexpr double most_cells = 1 << 22;
-    double c = std::max(reach / 2, longest / 512);
+    double c = std::max(reach / 2, longest / (most_per_axis - 2));
     const auto count = [](double length, double step) { return static_cast<uint32_t>(length / step) + 1; };
     while (static_cast<double>(count(size.x, c)) * count(size.y, c) * count(size.z, c) > most_cells)
         c *= 1.25;
@@ -104,9 +151,10 @@ void mark_cells(NearMesh& m, std::span<const Vec3> points, double reach) {
     m.cell_size = c;
     m.cell_count = {count(size.x, c), count(size.y, c), count(size.z, c)};
     m.cells.assign((uint64_t{m.cell_count[0]} * m.cell_count[1] * m.cell_count[2] + 63) / 64, 0);
+    const CellFinder cell_of(m);
     Cell last_lo{}, last_hi{};
     for (const Vec3& p : points) {
-        const Cell from = cell_of(m, p - r), to = cell_of(m, p + r);
+        const Cell from = cell_of(p - r), to = cell_of(p + r);
         if (from == last_lo && to == last_hi) continue;
         last_lo = from, last_hi = to;
         any_cell(m, from, to, [&](uint64_t bit) {
@@ -123,15 +171,11 @@ bool NearMesh::covers(Vec3 lo, Vec3 hi) const {
     lo = {std::max(lo.x, surface_min.x), std::max(lo.y, surface_min.y), std::max(lo.z, surface_min.z)};
     hi = {std::min(hi.x, surface_max.x), std::min(hi.y, surface_max.y), std::min(hi.z, surface_max.z)};
     if (lo.x > hi.x || lo.y > hi.y || lo.z > hi.z) return true;
-    const Cell from = cell_of(*this, lo), to = cell_of(*this, hi);
+    const CellFinder cell_of(*this);
+    const Cell from = cell_of(lo), to = cell_of(hi);
     for (std::size_t a = 0; a < 3; ++a)
         if (from[a] < 1 || to[a] > cell_count[a]) return false;
     return !any_cell(*this, from, to, [&](uint64_t bit) { return !is_marked(*this, bit); });
-}
-
-Corners NearMesh::corners(uint32_t number) const {
-    const SegmentNodes& n = segment[number];
-    return {x[n[0]], x[n[1]], x[n[2]], x[n[3]]};
 }
 
 NearMesh near_mesh(const SegmentMesh& mesh, std::span<const Vec3> points, double reach, unsigned threads) {
@@ -139,14 +183,29 @@ NearMesh near_mesh(const SegmentMesh& mesh, std::span<const Vec3> points, double
     const bool whole = !(reach < infinity) || points.empty();
     if (!whole) mark_cells(m, points, m.reach = reach);
 
-    // Per node row its cell and two flags: one word, so that a segment touches one place per corner.
+    // Per node row one word, so that a segment touches one place per corner.
     const std::size_t rows = mesh.x.size(), segments = mesh.segment.size();
     constexpr std::size_t piece = 1 << 16;
     const auto pieces = [](std::size_t count) { return (count + piece - 1) / piece; };
     Buffer<uint32_t> at_row(rows);
+    const std::vector<uint32_t> flags = whole ? std::vector<uint32_t>() : cell_flags(m);
+    std::vector<BoundingBox> boxes(pieces(rows));
     parallel_for(threads, pieces(rows), [&](std::size_t p) {
-        for (std::size_t row = p * piece; row < std::min(rows, (p + 1) * piece); ++row)
-            at_row[row] = whole ? 0 : pack(cell_of(m, mesh.x[row]));
+        const CellFinder cell_of(m);
+        const uint64_t nx = uint64_t{m.cell_count[0]} + 2, ny = uint64_t{m.cell_count[1]} + 2;
+        const Vec3* const x = mesh.x.data();
+        uint32_t* const word = at_row.data();
+        BoundingBox box;
+        for (std::size_t row = p * piece; row < std::min(rows, (p + 1) * piece); ++row) {
+            box.add(x[row]);
+            if (whole) {
+                word[row] = 0;
+                continue;
+            }
+            const Cell c = cell_of(x[row]);
+            word[row] = pack(c) | flags[(c[2] * ny + c[1]) * nx + c[0]];
+        }
+        boxes[p] = box;
     });
 
     // The segments that span a marked cell.
@@ -166,7 +225,6 @@ NearMesh near_mesh(const SegmentMesh& mesh, std::span<const Vec3> points, double
                 const std::atomic_ref<uint32_t> word(at_row[n[k]]);
                 cells[k] = word.load(std::memory_order_relaxed);
                 if (!(cells[k] & used)) word.store(cells[k] | used, std::memory_order_relaxed);
-                cells[k] &= ~used;
             }
             if (whole || meets_marked(m, cells)) found[p].push_back(static_cast<uint32_t>(s));
         }
@@ -176,16 +234,21 @@ NearMesh near_mesh(const SegmentMesh& mesh, std::span<const Vec3> points, double
             for (const uint32_t row : mesh.segment[s])
                 at_row[row] |= near;
 
-    std::vector<BoundingBox> boxes(pieces(rows));
     std::vector<uint32_t> used_rows(pieces(rows), 0);
     std::vector<std::vector<uint32_t>> near_rows(pieces(rows));
     parallel_for(threads, pieces(rows), [&](std::size_t p) {
-        BoundingBox box;
-        for (std::size_t row = p * piece; row < std::min(rows, (p + 1) * piece); ++row) {
-            if (at_row[row] & used) box.add(mesh.x[row]), ++used_rows[p];
-            if (at_row[row] & near) near_rows[p].push_back(static_cast<uint32_t>(row));
-        }
-        boxes[p] = box;
+        const std::size_t begin = p * piece, end = std::min(rows, begin + piece);
+        const uint32_t* const word = at_row.data();
+        uint32_t count = 0;
+        for (std::size_t row = begin; row < end; ++row)
+            count += word[row] >> 30 & 1;
+        for (std::size_t row = begin; row < end; ++row)
+            if (word[row] & near) near_rows[p].push_back(static_cast<uint32_t>(row));
+        used_rows[p] = count;
+        if (count == end - begin) return; // the box of all is theirs
+        boxes[p] = {};
+        for (std::size_t row = begin; row < end; ++row)
+            if (at_row[row] & used) boxes[p].add(mesh.x[row]);
     });
     BoundingBox all;
     for (const BoundingBox& b : boxes)
@@ -201,7 +264,7 @@ NearMesh near_mesh(const SegmentMesh& mesh, std::span<const Vec3> points, double
         by_key.reserve(m.segment_index.size());
         for (const uint32_t s : m.segment_index)
             by_key.emplace_back(mesh.storage_key(s), s);
-        std::sort(by_key.begin(), by_key.end());
+        if (!std::is_sorted(by_key.begin(), by_key.end())) std::sort(by_key.begin(), by_key.end());
         for (std::size_t k = 0; k < by_key.size(); ++k)
             m.segment_index[k] = by_key[k].second;
     }
@@ -211,11 +274,16 @@ NearMesh near_mesh(const SegmentMesh& mesh, std::span<const Vec3> points, double
     const auto by_id = [&](uint32_t a, uint32_t b) { return mesh.node_id[a] < mesh.node_id[b]; };
     if (!std::is_sorted(m.node_row.begin(), m.node_row.end(), by_id))
         std::sort(m.node_row.begin(), m.node_row.end(), by_id);
-    Buffer<uint32_t>& local = at_row; // cells and flags are done with
+    if (!whole) m.complete.reserve(m.node_row.size());
+    m.node_id.reserve(m.node_row.size());
+    m.x.reserve(m.node_row.size());
+    Buffer<uint32_t>& local = at_row; // cells and flags are done with, node by node
     for (uint32_t i = 0; i < m.node_row.size(); ++i) {
-        local[m.node_row[i]] = i;
-        m.node_id.push_back(mesh.node_id[m.node_row[i]]);
-        m.x.push_back(mesh.x[m.node_row[i]]);
+        const uint32_t row = m.node_row[i];
+        if (!whole) m.complete.push_back((local[row] & in_marked) != 0);
+        local[row] = i;
+        m.node_id.push_back(mesh.node_id[row]);
+        m.x.push_back(mesh.x[row]);
     }
     m.segment.reserve(m.segment_index.size());
     m.around_begin.assign(m.node_row.size() + 1, 0);
@@ -242,14 +310,6 @@ NearMesh near_mesh(const SegmentMesh& mesh, std::span<const Vec3> points, double
     for (uint32_t s = 0; s < m.segment.size(); ++s)
         for (std::size_t k = 0; k < 4; ++k)
             if (distinct(m.segment[s], k)) m.around[next[m.segment[s][k]]++] = s;
-    if (!whole) {
-        m.complete.resize(m.x.size());
-        constexpr std::size_t few = 1 << 12;
-        parallel_for(threads, (m.x.size() + few - 1) / few, [&](std::size_t p) {
-            for (std::size_t i = p * few; i < std::min(m.x.size(), (p + 1) * few); ++i)
-                m.complete[i] = m.covers(m.x[i], m.x[i]);
-        });
-    }
     return m;
 }
 

@@ -77,7 +77,10 @@ struct NearMesh {
 
     /// Whether everything of the surface that touches this box is here.
     bool covers(Vec3 lo, Vec3 hi) const;
-    Corners corners(uint32_t segment_number) const;
+    Corners corners(uint32_t segment_number) const {
+        const SegmentNodes& n = segment[segment_number];
+        return {x[n[0]], x[n[1]], x[n[2]], x[n[3]]};
+    }
     std::span<const uint32_t> segments_around(uint32_t node) const {
         return {around.data() + around_begin[node], around.data() + around_begin[node + 1]};
     }

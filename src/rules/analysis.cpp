@@ -84,15 +84,15 @@ std::size_t layer_step(const BeadAnalysis& a) {
 
 /// Another layer of the surface as far from bead nodes as the closest one, or little farther. A long bead is
 /// looked at every few nodes, and closely only when one of these has found something: layers go on.
-void find_other_layers(const NearMesh& mesh, const ClosestSegment& closest, const Limits& limits,
-                       BeadAnalysis& a, unsigned threads) {
+void find_other_layers(const NearMesh& mesh, const ClosestSegment& closest, const NormalCone& cone,
+                       const Limits& limits, BeadAnalysis& a, unsigned threads) {
     const double ratio = limits.SRF010_ratio, elements = limits.SRF010_elements;
     constexpr std::size_t chunk = 16;
     const auto look = [&](std::size_t i) {
         BeadHit& h = a.hit[i];
         const double distance = h.closest.foot.distance;
         const double within = std::min(ratio * distance, distance + elements * h.element);
-        const auto other = closest.other_layer(a.x[i], h.closest, within);
+        const auto other = closest.other_layer(a.x[i], h.closest, within, &cone);
         if (!other) return;
         h.other_layer = mesh.segment_index[other->segment];
         h.other_layer_distance = other->d;
@@ -162,16 +162,18 @@ double side_reach_of(const Analysis& all, const std::vector<BeadAnalysis*>& bead
 /// Exact closest segments of all beads of a surface, and the part of the surface around them: from the
 /// contact where it is there and large enough.
 void find_closest(const Model& model, std::size_t number, const std::vector<BeadAnalysis*>& beads,
-                  const DeckContact& contact, const Limits& limits, SurfaceAnalysis& out, double side_reach,
+                  DeckContact& contact, const Limits& limits, SurfaceAnalysis& out, double side_reach,
                   bool layers, unsigned threads) {
     if (!contact.surfaces.empty()) {
-        const NearMesh& mesh = contact.surfaces[number].mesh;
-        if (!mesh.segment.empty() && take_hits(mesh, contact.interfaces, side_reach, beads, threads)) {
-            out.near = mesh;
+        SurfaceScene& scene = contact.surfaces[number];
+        if (!scene.mesh.segment.empty() &&
+            take_hits(scene.mesh, contact.interfaces, side_reach, beads, threads)) {
+            out.near = std::move(scene.mesh);
             if (!layers) return;
-            const ClosestSegment closest(mesh);
+            const ClosestSegment closest(out.near, scene.tree);
+            const NormalCone cone(out.near, *scene.tree);
             for (BeadAnalysis* a : beads)
-                find_other_layers(mesh, closest, limits, *a, threads);
+                find_other_layers(out.near, closest, cone, limits, *a, threads);
             return;
         }
     }
@@ -200,8 +202,11 @@ void find_closest(const Model& model, std::size_t number, const std::vector<Bead
                     needed = std::max(needed, reach);
             first += a->x.size();
         }
-        for (BeadAnalysis* a : beads)
-            if (layers && needed == 0) find_other_layers(near.mesh, closest, limits, *a, threads);
+        if (layers && needed == 0) {
+            const NormalCone cone(near.mesh, *closest.tree());
+            for (BeadAnalysis* a : beads)
+                find_other_layers(near.mesh, closest, cone, limits, *a, threads);
+        }
         out.near = std::move(near.mesh);
         if (needed == 0) return;
         least_margin = needed;
@@ -241,22 +246,24 @@ void judge(const Surface& surface, const NearMesh& near, SideLimits limits, doub
     }
     std::vector<uint8_t> solid_backed(near.segment.size());
     for (std::size_t i = 0; i < near.segment.size(); ++i)
-        solid_backed[i] = surface.segments[near.segment_index[i]].solid_backed;
+        solid_backed[i] = surface.segments.solid_backed(near.segment_index[i]);
     limits.reach = side_reach;
     a.side = judge_side(near, feet, hops_of(a), solid_backed, limits);
 }
 
 } // namespace
 
-Analysis analyse(const Deck&, const Model& model, const Limits& limits, Needs needs, unsigned threads,
+Analysis analyse(const Deck& deck, const Model& model, const Limits& limits, Needs needs, unsigned threads,
                  RunFacts run) {
     Analysis out;
     out.run = std::move(run);
     out.beads.reserve(model.drawbeads().size());
     out.surfaces.resize(model.surfaces().size());
     const bool lines = has(needs, analysis_lines);
-    for (const Drawbead& bead : model.drawbeads())
+    for (const Drawbead& bead : model.drawbeads()) {
+        out.cards.push_back(card_lines(deck, bead));
         out.beads.push_back(analyse_line(model, bead));
+    }
 
     if (has(needs, analysis_contact)) {
         const double around = has(needs, analysis_sides) ? limits.SRF001_reach_elements : 0;
@@ -281,7 +288,7 @@ Analysis analyse(const Deck&, const Model& model, const Limits& limits, Needs ne
             find_closest(model, s, beads, out.contact, limits, out.surfaces[s], side_reach[s],
                          has(needs, analysis_layers), threads);
         if (has(needs, analysis_clashes))
-            out.surfaces[s].clashes = edge_clashes(surface.segments.span(), model.nodes().size(), threads);
+            out.surfaces[s].clashes = edge_clashes(surface.segments, model.nodes().size(), threads);
     }
     if (!lines) return out;
     const LineLimits list_limits = line_limits(limits);

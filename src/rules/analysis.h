@@ -8,6 +8,7 @@
 #include "contact/segment_mesh.h"
 #include "deck/engine_deck.h"
 #include "model/model.h"
+#include "rules/card_lines.h"
 #include "rules/srf/bead_side.h"
 #include "rules/srf/edge_clash.h"
 #include "scene/bead_path.h"
@@ -80,9 +81,11 @@ struct RunFacts {
 
 struct Analysis {
     RunFacts run;
+    std::vector<CardLines> cards;          ///< as Model::drawbeads(), always
     std::vector<BeadAnalysis> beads;       ///< as Model::drawbeads()
     std::vector<SurfaceAnalysis> surfaces; ///< as Model::surfaces()
-    DeckContact contact; ///< the first cycle as the solver sees it, without other layers; when asked for
+    DeckContact contact; ///< the first cycle as the solver sees it, without other layers; when asked for. Its
+                         ///< meshes may have become those of `surfaces`
     std::vector<BeadPath> path; ///< as Model::drawbeads(); empty unless analysis_motion was asked for
     std::vector<StarterVerdict> starter; ///< as Model::drawbeads(); empty unless coordinates and blank
                                          ///< elements were asked for

@@ -304,7 +304,8 @@ private:
     /// Over the part of a surface that the contact has made; built once.
     const ClosestSegment& tree_of(uint32_t surface) {
         std::unique_ptr<const ClosestSegment>& tree = trees_[surface];
-        if (!tree) tree = std::make_unique<const ClosestSegment>(contact_.surfaces[surface].mesh);
+        const SurfaceScene& scene = contact_.surfaces[surface];
+        if (!tree) tree = std::make_unique<const ClosestSegment>(scene.mesh, scene.tree);
         return *tree;
     }
 

@@ -115,6 +115,7 @@ DeckContact contact_of(const Model& model, const ContactOptions& options) {
             segment_mesh(model, surface), inputs, [&](uint32_t i) { return stiffness(i); },
             stiffness.smallest(), stiffness.in_storage_order(longest), options);
         scene.mesh = std::move(contact.mesh);
+        scene.tree = std::move(contact.tree);
         for (std::size_t b = 0; b < members[s].size(); ++b) {
             InterfaceContact& one = out.interfaces[members[s][b]];
             one.contact = std::move(contact.bead[b]);

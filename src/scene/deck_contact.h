@@ -35,6 +35,7 @@ struct InterfaceContact {
 struct SurfaceScene {
     std::unique_ptr<const SurfaceStiffness> stiffness; ///< empty when the surface has no segments
     NearMesh mesh;                                     ///< what the beads need of it
+    std::shared_ptr<const SegmentTree> tree;           ///< of `mesh`
 };
 
 struct DeckContact {

@@ -3,6 +3,14 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <random>
+#include <vector>
+
 using namespace drawbead;
 
 namespace {
@@ -27,6 +35,66 @@ uint32_t slow_closest(const NearMesh& m, Vec3 x, double& distance) {
             (best == no_segment || (feet[s].inside() && !feet[best].inside())))
             best = s;
     return best;
+}
+
+std::vector<std::size_t> foot_edges(const Foot& foot) {
+    std::vector<std::size_t> edges;
+    for (std::size_t k = 0; k < 4; ++k)
+        if (foot.edges >> k & 1) edges.push_back(k);
+    return edges;
+}
+
+/// The definition: of all segments without a node of the closest one, the closest whose foot no segment that
+/// shares it comes under.
+std::optional<uint32_t> slow_other_layer(const NearMesh& m, Vec3 x, uint32_t nearest, double within) {
+    double magnitude = 0;
+    for (const Vec3& p : m.x)
+        magnitude = std::max({magnitude, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    magnitude = std::max({magnitude, std::abs(x.x), std::abs(x.y), std::abs(x.z)});
+    const double equal = 16 * std::numeric_limits<double>::epsilon() * magnitude;
+    const auto holds = [&](uint32_t segment, uint32_t node) {
+        const SegmentNodes& n = m.segment[segment];
+        return std::find(n.begin(), n.end(), node) != n.end();
+    };
+    std::optional<uint32_t> best;
+    double distance = within;
+    for (uint32_t s = 0; s < m.segment.size(); ++s) {
+        const SegmentNodes& n = m.segment[s];
+        if (std::any_of(n.begin(), n.end(), [&](uint32_t node) { return holds(nearest, node); })) continue;
+        const Foot foot = closest_point(m.corners(s), x);
+        if (foot.distance > distance || (best && foot.distance == distance)) continue;
+        std::vector<uint32_t> at; // nodes that every edge at the foot has
+        for (std::size_t k = 0; k < 4; ++k) {
+            const std::vector<std::size_t> edges = foot_edges(foot);
+            const bool here = std::all_of(edges.begin(), edges.end(), [&](std::size_t e) {
+                return n[e] == n[k] || n[(e + 1) % 4] == n[k];
+            });
+            if (foot.edges != 0 && here) at.push_back(n[k]);
+        }
+        bool lowest = true;
+        for (uint32_t t = 0; t < m.segment.size() && !at.empty(); ++t)
+            if (t != s && std::all_of(at.begin(), at.end(), [&](uint32_t node) { return holds(t, node); }))
+                lowest = lowest && !(closest_point(m.corners(t), x).distance < foot.distance - equal);
+        if (!lowest) continue;
+        best = s;
+        distance = foot.distance;
+    }
+    return best;
+}
+
+/// Another sheet under or beside the first, with nodes of its own.
+Sheet with_second(Sheet s, const Sheet& second, Vec3 shift) {
+    const auto nodes = static_cast<uint32_t>(s.x.size());
+    for (const Vec3& p : second.x)
+        s.x.push_back(p + shift);
+    for (SegmentNodes n : second.segment) {
+        for (uint32_t& row : n)
+            row += nodes;
+        s.segment.push_back(n);
+    }
+    s.id.resize(s.x.size());
+    std::iota(s.id.begin(), s.id.end(), 1u);
+    return s;
 }
 
 } // namespace
@@ -180,6 +248,38 @@ TEST_CASE("another layer") {
     const NearMesh one = near_mesh(flat_sheet(6, 6).mesh(), {}, whole_surface);
     const ClosestSegment single(one);
     CHECK_FALSE(single.other_layer({3.5, 3.5, 40}, single.find({3.5, 3.5, 40}), 80));
+}
+
+TEST_CASE("another layer is the one found over all segments") {
+    std::mt19937 random(21);
+    std::uniform_real_distribution<double> u(-1, 1);
+    std::size_t found = 0, none = 0;
+    for (int round = 0; round < 240; ++round) {
+        Sheet s = random_sheet(round % 6, random);
+        if (round % 4 != 0)
+            s = with_second(std::move(s), random_sheet(round / 6 % 6, random),
+                            {u(random), u(random), -1.5 + u(random)});
+        const NearMesh m = near_mesh(s.mesh(), {}, whole_surface);
+        const ClosestSegment closest(m);
+        const NormalCone cone(m, *closest.tree());
+        for (const Vec3& x : random_points(s, 20, random)) {
+            const ClosestHit hit = closest.find(x);
+            const double within = (2.5 + 1.5 * u(random)) * hit.foot.distance;
+            const auto expected = slow_other_layer(m, x, hit.segment, within);
+            const auto other = closest.other_layer(x, hit, within);
+            CAPTURE(round, x.x, x.y, x.z);
+            REQUIRE(other.has_value() == expected.has_value());
+            const auto with_cone = closest.other_layer(x, hit, within, &cone);
+            REQUIRE(with_cone.has_value() == other.has_value());
+            if (other) REQUIRE(with_cone->segment == other->segment);
+            ++(expected ? found : none);
+            if (!expected) continue;
+            REQUIRE(other->foot.distance == closest_point(m.corners(*expected), x).distance);
+            REQUIRE(other->segment == *expected);
+        }
+    }
+    CHECK(found > 500);
+    CHECK(none > 500);
 }
 
 TEST_CASE("no segments") {

@@ -47,9 +47,13 @@ public:
             cell_ *= 1.5;
         count_ = {static_cast<uint32_t>(cells(extent.x)), static_cast<uint32_t>(cells(extent.y)),
                   static_cast<uint32_t>(cells(extent.z))};
-        reach_.reserve(hops.size());
-        for (const auto& [a, b] : hops)
-            reach_.push_back(reach * std::max(feet[a].element, feet[b].element));
+        line_.reserve(hops.size());
+        for (const auto& [a, b] : hops) {
+            const Vec3 from = feet[a].foot, along = feet[b].foot - from;
+            const double squared = squared_norm(along);
+            line_.push_back({from, along, squared > 0 ? 1 / squared : 0,
+                             reach * std::max(feet[a].element, feet[b].element)});
+        }
 
         begin_.assign(std::size_t{count_[0]} * count_[1] * count_[2] + 1, 0);
         for (uint32_t h = 0; h < hops.size(); ++h)
@@ -69,14 +73,18 @@ public:
             return best;
         const auto c = cell_of(x);
         const std::size_t cell = (std::size_t{c[2]} * count_[1] + c[1]) * count_[0] + c[0];
+        double squared = std::numeric_limits<double>::infinity();
         for (uint32_t i = begin_[cell]; i < begin_[cell + 1]; ++i) {
-            const uint32_t h = hop_[i];
-            const Vec3 a = feet_[hops_[h].first].foot, ab = feet_[hops_[h].second].foot - a;
-            const double length2 = squared_norm(ab);
-            const double along = length2 > 0 ? std::clamp(dot(x - a, ab) / length2, 0.0, 1.0) : 0;
-            const double distance = norm(x - a - along * ab);
-            if (distance <= reach_[h] && distance < best.distance) best = {distance, h, along};
+            const Line& line = line_[hop_[i]];
+            const Vec3 away = x - line.from;
+            const double along = std::min(std::max(0.0, dot(away, line.along) * line.per_squared), 1.0);
+            const double one = squared_norm(away - along * line.along);
+            if (one >= squared || one > line.reach * line.reach) continue;
+            squared = one;
+            best.hop = hop_[i];
+            best.along = along;
         }
+        best.distance = std::sqrt(squared);
         return best;
     }
 
@@ -87,7 +95,11 @@ private:
     Vec3 min_{inf, inf, inf}, max_{-inf, -inf, -inf};
     double cell_ = 1;
     std::array<uint32_t, 3> count_{};
-    std::vector<double> reach_; ///< by hop
+    struct Line {
+        Vec3 from, along;
+        double per_squared, reach; ///< 1 over the squared length; 0 for no length
+    };
+    std::vector<Line> line_; ///< by hop
     std::vector<uint32_t> begin_, hop_;
 
     std::array<uint32_t, 3> cell_of(Vec3 x) const {
@@ -101,7 +113,7 @@ private:
     template <class Visit>
     void for_cells(uint32_t hop, Visit&& visit) const {
         const Vec3 a = feet_[hops_[hop].first].foot, b = feet_[hops_[hop].second].foot;
-        const double r = reach_[hop];
+        const double r = line_[hop].reach;
         const auto lo = cell_of(lower(a, b) - Vec3{r, r, r}), hi = cell_of(upper(a, b) + Vec3{r, r, r});
         for (uint32_t z = lo[2]; z <= hi[2]; ++z)
             for (uint32_t y = lo[1]; y <= hi[1]; ++y)
