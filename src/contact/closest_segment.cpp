@@ -267,7 +267,7 @@ std::array<Vec3, 4> corner_normals(const Corners& c) {
 NormalCone::NormalCone(const NearMesh& mesh, const SegmentTree& tree) {
     constexpr double narrowest = 0.5, rounding = 1e-6;
     Vec3 sum;
-    for (uint32_t s = 0; s < mesh.segment.size(); ++s)
+    for (uint32_t s = 0; s < mesh.segment.size(); s += 8) // any axis is one; this is a good one
         sum += area_vector(mesh.corners(s));
     axis_ = unit(sum);
     if (!(squared_norm(axis_) > 0)) return;
@@ -275,8 +275,9 @@ NormalCone::NormalCone(const NearMesh& mesh, const SegmentTree& tree) {
     for (uint32_t s = 0; s < mesh.segment.size(); ++s)
         for (const Vec3& n : corner_normals(mesh.corners(s))) {
             const double along = dot(n, axis_), squared = squared_norm(n);
+            if (along > 0 && along * along >= least * squared) continue;
             if (!(along > 0) || !(along * along >= narrowest * narrowest * squared)) return;
-            least = std::min(least, along * along / squared);
+            least = along * along / squared;
         }
     const std::vector<uint8_t> node_closed = closed_nodes(mesh);
     closed_.resize(tree.box_.size());

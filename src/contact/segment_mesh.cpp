@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <memory>
 
 namespace drawbead {
 namespace {
@@ -26,25 +27,29 @@ struct BoundingBox {
     bool empty() const { return !(lo.x <= hi.x); }
 };
 
-/// The coarse grid's cell of a coordinate, counted from 1; 0 below the grid and count + 1 above it. Monotone.
-uint32_t cell(double at, double from, double per_cell, double count) {
-    const double c = (at - from) * per_cell + 1;
-    return static_cast<uint32_t>(static_cast<int32_t>(std::min(std::max(0.0, c), count + 1))); // 0 for a NaN
-}
-
 using Cell = std::array<uint32_t, 3>;
 
-/// What the cell of a point is found with, apart from the NearMesh so that a loop keeps it in registers.
-struct CellFinder {
-    Vec3 from;
-    double per_cell, nx, ny, nz;
-
+/// Finds the coarse grid's cell of a point: per axis counted from 1; 0 below the grid and for a NaN, count +
+/// 1 above it. Monotone. Apart from the NearMesh, so that a loop keeps it in registers.
+class CellFinder {
+public:
     explicit CellFinder(const NearMesh& m)
-        : from(m.cells_min), per_cell(1 / m.cell_size), nx(m.cell_count[0]), ny(m.cell_count[1]),
-          nz(m.cell_count[2]) {}
+        : from_(m.cells_min), per_cell_(1 / m.cell_size), zero_(m.cell_size - m.cell_size),
+          top_{m.cell_count[0] + 1.0, m.cell_count[1] + 1.0, m.cell_count[2] + 1.0} {}
     Cell operator()(Vec3 p) const {
-        return {cell(p.x, from.x, per_cell, nx), cell(p.y, from.y, per_cell, ny),
-                cell(p.z, from.z, per_cell, nz)};
+        return {along(p.x, from_.x, top_.x), along(p.y, from_.y, top_.y), along(p.z, from_.z, top_.z)};
+    }
+
+private:
+    Vec3 from_;
+    double per_cell_;
+    double zero_; ///< one that the compiler does not know: for 0 it would branch, and points lie at random
+    Vec3 top_;
+
+    uint32_t along(double at, double from, double top) const {
+        const double c = (at - from) * per_cell_ + 1;
+        const double above = c > zero_ ? c : zero_;
+        return static_cast<uint32_t>(static_cast<int32_t>(above < top ? above : top));
     }
 };
 
@@ -67,6 +72,8 @@ bool any_cell(const NearMesh& m, Cell lo, Cell hi, Do&& act) {
 bool is_marked(const NearMesh& m, uint64_t bit) {
     return m.cells[bit >> 6] >> (bit & 63) & 1;
 }
+
+constexpr std::size_t in_cache = 1 << 16; ///< words that need no prefetching
 
 constexpr uint32_t most_per_axis = 509; ///< cells of the grid: 0 to 510 have nine bits and one to spare
 
@@ -111,19 +118,28 @@ std::vector<uint32_t> cell_flags(const NearMesh& m) {
     return out;
 }
 
+/// Words of the corners of a segment.
+using CornerWords = std::array<uint32_t, 4>;
+
+bool touches_marked(const CornerWords& word) {
+    return ((word[0] | word[1] | word[2] | word[3]) & in_marked) != 0;
+}
+
+/// Whether, with no corner in a marked cell, there may be one between them. Without branches, as segments of
+/// all kinds may follow one another.
+bool may_span_marked(const CornerWords& word) {
+    const uint32_t first = word[0] & cell_bits;
+    const uint32_t other = ((word[0] ^ word[1]) | (word[0] ^ word[2]) | (word[0] ^ word[3])) & cell_bits;
+    const bool close = next_to(first, word[1] & cell_bits) & next_to(first, word[2] & cell_bits) &
+                       next_to(first, word[3] & cell_bits);
+    // Far from the points no cell beside the first corner's is marked. Along one axis there are no other
+    // cells than those of the corners.
+    const int axes = ((other & 511) != 0) + ((other >> 10 & 511) != 0) + ((other >> 20 & 511) != 0);
+    return (axes > 0) & !(close & (((word[0] & hot) == 0) | (axes == 1)));
+}
+
 /// Whether one of the cells from corner to corner is marked.
-bool meets_marked(const NearMesh& m, const std::array<uint32_t, 4>& word) {
-    if ((word[0] | word[1] | word[2] | word[3]) & in_marked) return true;
-    const uint32_t first = word[0] & cell_bits,
-                   other = ((word[0] ^ word[1]) | (word[0] ^ word[2]) | (word[0] ^ word[3])) & cell_bits;
-    if (other == 0) return false;
-    if (next_to(first, word[1] & cell_bits) && next_to(first, word[2] & cell_bits) &&
-        next_to(first, word[3] & cell_bits)) {
-        // Far from the points no cell beside the first corner's is marked. Along one axis there are no other
-        // cells than those of the corners.
-        const int axes = ((other & 511) != 0) + ((other >> 10 & 511) != 0) + ((other >> 20 & 511) != 0);
-        if (!(word[0] & hot) || axes == 1) return false;
-    }
+bool spans_marked(const NearMesh& m, const CornerWords& word) {
     Cell lo = unpacked(word[0]), hi = lo;
     for (std::size_t k = 1; k < 4; ++k) {
         const Cell c = unpacked(word[k]);
@@ -195,15 +211,17 @@ NearMesh near_mesh(const SegmentMesh& mesh, std::span<const Vec3> points, double
         const uint64_t nx = uint64_t{m.cell_count[0]} + 2, ny = uint64_t{m.cell_count[1]} + 2;
         const Vec3* const x = mesh.x.data();
         uint32_t* const word = at_row.data();
+        const std::size_t begin = p * piece, end = std::min(rows, begin + piece);
         BoundingBox box;
-        for (std::size_t row = p * piece; row < std::min(rows, (p + 1) * piece); ++row) {
+        for (std::size_t row = begin; row < end; ++row)
             box.add(x[row]);
-            if (whole) {
-                word[row] = 0;
-                continue;
+        if (whole) {
+            std::fill(word + begin, word + end, 0);
+        } else {
+            for (std::size_t row = begin; row < end; ++row) {
+                const Cell c = cell_of(x[row]);
+                word[row] = pack(c) | flags[(c[2] * ny + c[1]) * nx + c[0]];
             }
-            const Cell c = cell_of(x[row]);
-            word[row] = pack(c) | flags[(c[2] * ny + c[1]) * nx + c[0]];
         }
         boxes[p] = box;
     });
@@ -211,22 +229,33 @@ NearMesh near_mesh(const SegmentMesh& mesh, std::span<const Vec3> points, double
     // The segments that span a marked cell.
     std::vector<std::vector<uint32_t>> found(pieces(segments));
     parallel_for(threads, pieces(segments), [&](std::size_t p) {
-        constexpr std::size_t ahead = 16; // enough for the look-ups of some segments to wait together
-        const std::size_t end = std::min(segments, (p + 1) * piece);
-        for (std::size_t s = p * piece; s < end; ++s) {
+        // Enough for the look-ups of some segments to wait together, where they have to.
+        const std::size_t ahead = rows < in_cache ? segments : 16;
+        const std::size_t begin = p * piece, end = std::min(segments, begin + piece);
+        const auto candidates = std::make_unique_for_overwrite<uint32_t[]>(end - begin);
+        std::size_t count = 0;
+        for (std::size_t s = begin; s < end; ++s) {
             if (s + ahead < end)
                 for (const uint32_t row : mesh.segment[s + ahead])
                     if (row < rows) __builtin_prefetch(&at_row[row], 1);
             const SegmentNodes n = mesh.segment[s];
             if (n[0] >= rows || n[1] >= rows || n[2] >= rows || n[3] >= rows) continue;
-            std::array<uint32_t, 4> cells;
+            CornerWords words;
             for (std::size_t k = 0; k < 4; ++k) {
                 // Several threads may come here, with the same value.
                 const std::atomic_ref<uint32_t> word(at_row[n[k]]);
-                cells[k] = word.load(std::memory_order_relaxed);
-                if (!(cells[k] & used)) word.store(cells[k] | used, std::memory_order_relaxed);
+                words[k] = word.load(std::memory_order_relaxed);
+                word.store(words[k] | used, std::memory_order_relaxed);
             }
-            if (whole || meets_marked(m, cells)) found[p].push_back(static_cast<uint32_t>(s));
+            candidates[count] = static_cast<uint32_t>(s);
+            count += whole | touches_marked(words) | may_span_marked(words);
+        }
+        for (std::size_t i = 0; i < count; ++i) {
+            const SegmentNodes n = mesh.segment[candidates[i]];
+            CornerWords words;
+            for (std::size_t k = 0; k < 4; ++k)
+                words[k] = std::atomic_ref(at_row[n[k]]).load(std::memory_order_relaxed);
+            if (whole || touches_marked(words) || spans_marked(m, words)) found[p].push_back(candidates[i]);
         }
     });
     for (const auto& f : found)
@@ -272,8 +301,15 @@ NearMesh near_mesh(const SegmentMesh& mesh, std::span<const Vec3> points, double
     for (const auto& r : near_rows)
         m.node_row.insert(m.node_row.end(), r.begin(), r.end());
     const auto by_id = [&](uint32_t a, uint32_t b) { return mesh.node_id[a] < mesh.node_id[b]; };
-    if (!std::is_sorted(m.node_row.begin(), m.node_row.end(), by_id))
-        std::sort(m.node_row.begin(), m.node_row.end(), by_id);
+    if (!std::is_sorted(m.node_row.begin(), m.node_row.end(), by_id)) {
+        std::vector<uint64_t> id_and_row;
+        id_and_row.reserve(m.node_row.size());
+        for (const uint32_t row : m.node_row)
+            id_and_row.push_back(uint64_t{mesh.node_id[row]} << 32 | row);
+        std::sort(id_and_row.begin(), id_and_row.end());
+        for (std::size_t i = 0; i < id_and_row.size(); ++i)
+            m.node_row[i] = static_cast<uint32_t>(id_and_row[i]);
+    }
     if (!whole) m.complete.reserve(m.node_row.size());
     m.node_id.reserve(m.node_row.size());
     m.x.reserve(m.node_row.size());

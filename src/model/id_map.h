@@ -25,6 +25,17 @@ public:
         if (form_ == Form::dense) return place < count_ ? table_[place] : none;
         return form_ == Form::paged ? paged_row(place) : hashed_row(id);
     }
+    /// Calls loop(row) with a `row` as above that keeps what it needs in registers, for loops over many ids.
+    template <class Loop>
+    auto with_rows(Loop&& loop) const {
+        const uint32_t first = first_, count = count_;
+        const uint32_t* const table = table_.data();
+        if (form_ == Form::consecutive)
+            return loop([=](uint32_t id) { return id - first < count ? id - first : none; });
+        if (form_ == Form::dense)
+            return loop([=](uint32_t id) { return id - first < count ? table[id - first] : none; });
+        return loop([this](uint32_t id) { return row(id); });
+    }
     /// Asks for the memory that row(id) will read, so that many look-ups wait together. Always inline: a call
     /// of a function that only prefetches has no effect to GCC, which drops it.
     [[gnu::always_inline]] void prefetch(uint32_t id) const {

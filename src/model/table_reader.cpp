@@ -471,7 +471,10 @@ private:
                 for (uint32_t n = 1; n < ids.cells; ++n)
                     map.prefetch(static_cast<uint32_t>(ids.values[i * ids.cells + n] + source_.offsets.node));
         }
-        for (std::size_t i = 0; i < ids.count; ++i) {
+        const bool quads = rows_.shell && ids.cells == 5 && source_.offsets.node == 0;
+        const std::size_t plain =
+            quads ? map.with_rows([&](const auto& row) { return store_quads(ids, row); }) : 0;
+        for (std::size_t i = plain; i < ids.count; ++i) {
             const uint32_t* const cell = ids.values + i * ids.cells;
             const int64_t id = cell[0] + source_.offsets.element;
             if (id < 1 || id > largest_id ||
@@ -494,6 +497,27 @@ private:
             if (!known) report_unknown(static_cast<uint32_t>(id), cell, ids.cells, from, i);
             ++count_;
         }
+    }
+    /// Stores quads whose ids are all that is to be said of them, up to the first that is not one; how many.
+    template <class RowOf>
+    std::size_t store_quads(const IdRows& ids, const RowOf& row_of) {
+        const bool thickness = wants_thickness();
+        const int64_t offset = source_.offsets.element;
+        uint32_t* const to = rows_.id + count_;
+        std::array<NodeRow, 4>* const nodes = rows_.shell + count_;
+        std::size_t i = 0;
+        for (; i < ids.count; ++i) {
+            const uint32_t* const cell = ids.values + 5 * i;
+            const int64_t id = cell[0] + offset;
+            if (id < 1 || id > largest_id || (thickness && !ids.more[i].empty())) break;
+            if (cell[1] == 0 || cell[2] == 0 || cell[3] == 0 || cell[4] == 0) break;
+            const uint32_t a = row_of(cell[1]), b = row_of(cell[2]), c = row_of(cell[3]), d = row_of(cell[4]);
+            if (a == IdMap::none || b == IdMap::none || c == IdMap::none || d == IdMap::none) break;
+            to[i] = static_cast<uint32_t>(id);
+            nodes[i] = {NodeRow{a}, NodeRow{b}, NodeRow{c}, NodeRow{d}};
+        }
+        count_ += i;
+        return i;
     }
     /// Rows of written node ids; whether all of them exist.
     bool find_nodes(const uint32_t* written, uint32_t count, NodeRow* rows) const {

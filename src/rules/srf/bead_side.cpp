@@ -128,21 +128,43 @@ struct Across {
     bool agrees = false; ///< runs along the edge the other way
 };
 
+/// How a segment runs along the edge from a to b: whether it has it from a to b, and from b to a.
+struct Runs {
+    bool forward = false, back = false;
+};
+
+Runs runs_along(const SegmentNodes& n, uint32_t a, uint32_t b) {
+    Runs out;
+    for (std::size_t k = 0; k < 4; ++k) {
+        out.forward |= n[k] == a && n[(k + 1) % 4] == b;
+        out.back |= n[k] == b && n[(k + 1) % 4] == a;
+    }
+    return out;
+}
+
 Across across(const NearMesh& mesh, uint32_t segment, std::size_t k) {
     const SegmentNodes& s = mesh.segment[segment];
     const uint32_t a = s[k], b = s[(k + 1) % 4];
+    if (a == b) return {};
+    // Mostly one other has both nodes: it is found without a branch per segment.
+    uint32_t other = none, count = 0;
+    for (const uint32_t one : mesh.segments_around(a)) {
+        const SegmentNodes& n = mesh.segment[one];
+        const bool has = (n[0] == b) | (n[1] == b) | (n[2] == b) | (n[3] == b);
+        other = has && one != segment ? one : other;
+        count += has;
+    }
+    if (count < 2) return {};
+    if (count == 2) {
+        const Runs runs = runs_along(mesh.segment[other], a, b);
+        return runs.forward == runs.back ? Across{} : Across{other, runs.back};
+    }
     Across out;
-    if (a == b) return out;
-    for (const uint32_t other : mesh.segments_around(a)) {
-        if (other == segment) continue;
-        const SegmentNodes& o = mesh.segment[other];
-        for (std::size_t j = 0; j < 4; ++j) {
-            if (o[j] != a) continue;
-            const bool ends = o[(j + 3) % 4] == b, begins = o[(j + 1) % 4] == b;
-            if (!ends && !begins) continue;
-            if (out.segment != none || (ends && begins)) return {};
-            out = {other, ends};
-        }
+    for (const uint32_t one : mesh.segments_around(a)) {
+        const Runs runs = runs_along(mesh.segment[one], a, b);
+        if (one == segment || (!runs.forward && !runs.back)) continue;
+        if (out.segment != none || (runs.forward && runs.back)) return {};
+        out = {one, runs.back};
     }
     return out;
 }

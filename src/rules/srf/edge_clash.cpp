@@ -47,7 +47,8 @@ std::pair<std::size_t, std::size_t> piece_of(std::size_t count, std::size_t piec
 std::vector<uint64_t> open_nodes(const SegmentList& segments, uint32_t nodes, unsigned threads) {
     // One sum per thread; more than four would cost more memory than they save time.
     const std::size_t pieces = std::clamp<std::size_t>(threads, 1, 4);
-    constexpr std::size_t ahead = 16;
+    constexpr uint32_t in_cache = 1 << 16;
+    const std::size_t ahead = nodes < in_cache ? segments.size() : 16;
     std::vector<Buffer<uint32_t>> sums(pieces);
     parallel_for(threads, pieces, [&](std::size_t piece) {
         sums[piece] = Buffer<uint32_t>::zeroed(nodes);
