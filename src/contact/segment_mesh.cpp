@@ -91,11 +91,11 @@ Cell unpacked(uint32_t packed) {
     return {packed & 511, packed >> 10 & 511, packed >> 20 & 511};
 }
 
-/// Whether two packed cells are the same or neighbours, also across an edge or a corner.
-bool next_to(uint32_t a, uint32_t b) {
+/// 0 where two packed cells are the same or neighbours, also across an edge or a corner.
+uint32_t apart(uint32_t a, uint32_t b) {
     // Per axis 512 + 1 + a - b: the difference then is 0, 1 or 2 above 512.
     const uint32_t d = (a | between) + ones - b;
-    return ((d ^ between) & ~ones & ~(ones << 1)) == 0 && (d & ones & (d >> 1)) == 0;
+    return ((d ^ between) & ~ones & ~(ones << 1)) | (d & ones & (d >> 1));
 }
 
 /// Flags for every cell and those around the grid, in the places that node words keep them: `hot` and
@@ -130,8 +130,8 @@ bool touches_marked(const CornerWords& word) {
 bool may_span_marked(const CornerWords& word) {
     const uint32_t first = word[0] & cell_bits;
     const uint32_t other = ((word[0] ^ word[1]) | (word[0] ^ word[2]) | (word[0] ^ word[3])) & cell_bits;
-    const bool close = next_to(first, word[1] & cell_bits) & next_to(first, word[2] & cell_bits) &
-                       next_to(first, word[3] & cell_bits);
+    const bool close = (apart(first, word[1] & cell_bits) | apart(first, word[2] & cell_bits) |
+                        apart(first, word[3] & cell_bits)) == 0;
     // Far from the points no cell beside the first corner's is marked. Along one axis there are no other
     // cells than those of the corners.
     const int axes = ((other & 511) != 0) + ((other >> 10 & 511) != 0) + ((other >> 20 & 511) != 0);

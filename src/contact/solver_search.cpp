@@ -166,20 +166,29 @@ void StartSearch::each_node(Cell lo, Cell hi, Vec3 from, const double& squared_b
         const double gap = std::max({below - at[a], at[a] - above, 0.0});
         return gap * gap;
     };
+    if (lo[0] > hi[0]) return;
     for (uint32_t k = lo[2]; k <= hi[2]; ++k) {
         const double gap_z = squared_gap(2, k);
         if (gap_z > squared_bound) continue;
         for (uint32_t j = lo[1]; j <= hi[1]; ++j) {
             const double gap_zy = gap_z + squared_gap(1, j);
             if (gap_zy > squared_bound) continue;
-            const uint32_t row = ((k - 1) * count_[1] + (j - 1)) * count_[0];
-            for (uint32_t i = lo[0]; i <= hi[0]; ++i) {
-                const uint32_t c = row + i - 1;
-                const uint64_t word = occupied_[c / 64], bit = uint64_t{1} << c % 64;
-                if (!(word & bit) || gap_zy + squared_gap(0, i) > squared_bound) continue;
-                const uint32_t r = rank_[c / 64] + static_cast<uint32_t>(std::popcount(word & (bit - 1)));
-                for (uint32_t m = begin_[r]; m < begin_[r + 1]; ++m)
-                    visit(node_[m]);
+            // Most cells of a row are empty: those that are not are ones in at most a few words.
+            const uint32_t row = ((k - 1) * count_[1] + (j - 1)) * count_[0] - 1;
+            const uint32_t begin = row + lo[0], end = row + hi[0];
+            for (uint32_t w = begin / 64; w <= end / 64; ++w) {
+                const uint64_t word = occupied_[w];
+                uint64_t rest = word;
+                if (w == begin / 64) rest &= ~uint64_t{0} << begin % 64;
+                if (w == end / 64) rest &= ~uint64_t{0} >> (63 - end % 64);
+                for (; rest != 0; rest &= rest - 1) {
+                    const uint64_t below = (rest & -rest) - 1;
+                    const uint32_t c = 64 * w + static_cast<uint32_t>(std::countr_zero(rest));
+                    if (gap_zy + squared_gap(0, c - row) > squared_bound) continue;
+                    const uint32_t r = rank_[w] + static_cast<uint32_t>(std::popcount(word & below));
+                    for (uint32_t m = begin_[r]; m < begin_[r + 1]; ++m)
+                        visit(node_[m]);
+                }
             }
         }
     }

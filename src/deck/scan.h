@@ -8,7 +8,7 @@
 namespace drawbead {
 
 struct LineScan {
-    static constexpr uint64_t stride = uint64_t{1} << 20;
+    static constexpr uint64_t stride = uint64_t{1} << 17;
 
     std::vector<uint64_t>
         marks; ///< offsets of line starts with '/', or with a '#' directive (include, enddata, …)

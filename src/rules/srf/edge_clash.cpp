@@ -83,12 +83,12 @@ std::vector<uint64_t> open_nodes(const SegmentList& segments, uint32_t nodes, un
         for (std::size_t w = begin; w < end; ++w) {
             const std::size_t last = std::min<std::size_t>(nodes, (w + 1) * 64);
             uint64_t bits = 0;
-            for (std::size_t n = w * 64; n < last; ++n) {
-                uint32_t sum = 0;
-                for (const Buffer<uint32_t>& s : sums)
-                    sum += s[n];
-                bits |= uint64_t{sum != 0} << (n % 64);
-            }
+            std::array<uint32_t, 64> sum{};
+            for (const Buffer<uint32_t>& s : sums)
+                for (std::size_t n = w * 64; n < last; ++n)
+                    sum[n % 64] += s[n];
+            for (std::size_t n = 0; n < 64; ++n)
+                bits |= uint64_t{sum[n] != 0} << n;
             open[w] = bits;
         }
     });
@@ -107,8 +107,10 @@ std::vector<EdgeUse> open_edges(const SegmentList& segments, uint32_t nodes,
         std::array<uint32_t, 4> n;
         for (std::size_t i = begin; i < end; ++i) {
             if (!corners(segments, i, nodes, n)) continue;
+            // Every edge has one end of either pair.
+            if (!is_open(n[0]) && !is_open(n[2])) continue;
+            if (!is_open(n[1]) && !is_open(n[3])) continue;
             const std::array<bool, 4> at{is_open(n[0]), is_open(n[1]), is_open(n[2]), is_open(n[3])};
-            if (int{at[0]} + at[1] + at[2] + at[3] < 2) continue;
             for (std::size_t k = 0; k < 4; ++k) {
                 const uint32_t a = n[k], b = n[(k + 1) % 4];
                 if (a == b || !at[k] || !at[(k + 1) % 4]) continue;
