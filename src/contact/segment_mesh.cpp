@@ -53,18 +53,25 @@ private:
     }
 };
 
-/// Calls act(bit number) for the cells of the grid from lo to hi until it returns true; says whether it did.
+/// Calls act(word, its bits) for the cells of the grid from lo to hi, a word of `cells` at a time, until it
+/// returns true; says whether it did.
 template <class Do>
-bool any_cell(const NearMesh& m, Cell lo, Cell hi, Do&& act) {
+bool any_word(const NearMesh& m, Cell lo, Cell hi, Do&& act) {
     for (std::size_t a = 0; a < 3; ++a) {
         lo[a] = std::max(lo[a], 1u);
         hi[a] = std::min(hi[a], m.cell_count[a]);
     }
+    if (lo[0] > hi[0]) return false;
     for (uint32_t k = lo[2]; k <= hi[2]; ++k)
         for (uint32_t j = lo[1]; j <= hi[1]; ++j) {
             const uint64_t row = (uint64_t{k - 1} * m.cell_count[1] + (j - 1)) * m.cell_count[0];
-            for (uint32_t i = lo[0]; i <= hi[0]; ++i)
-                if (act(row + i - 1)) return true;
+            const uint64_t first = row + lo[0] - 1, last = row + hi[0] - 1;
+            for (uint64_t w = first >> 6; w <= last >> 6; ++w) {
+                uint64_t bits = ~uint64_t{0};
+                if (w == first >> 6) bits &= ~uint64_t{0} << (first & 63);
+                if (w == last >> 6) bits &= ~uint64_t{0} >> (63 - (last & 63));
+                if (act(w, bits)) return true;
+            }
         }
     return false;
 }
@@ -146,7 +153,7 @@ bool spans_marked(const NearMesh& m, const CornerWords& word) {
         for (std::size_t a = 0; a < 3; ++a)
             lo[a] = std::min(lo[a], c[a]), hi[a] = std::max(hi[a], c[a]);
     }
-    return any_cell(m, lo, hi, [&](uint64_t bit) { return is_marked(m, bit); });
+    return any_word(m, lo, hi, [&](uint64_t w, uint64_t bits) { return (m.cells[w] & bits) != 0; });
 }
 
 /// Grid over the points and their reach, cells within reach of a point marked.
@@ -159,7 +166,7 @@ void mark_cells(NearMesh& m, std::span<const Vec3> points, double reach) {
     double longest = std::max({size.x, size.y, size.z});
     if (!(longest > 0)) longest = 1;
     constexpr double most_cells = 1 << 22;
-    double c = std::max(reach / 2, longest / (most_per_axis - 2));
+    double c = std::max(reach / 3, longest / (most_per_axis - 2));
     const auto count = [](double length, double step) { return static_cast<uint32_t>(length / step) + 1; };
     while (static_cast<double>(count(size.x, c)) * count(size.y, c) * count(size.z, c) > most_cells)
         c *= 1.25;
@@ -173,8 +180,8 @@ void mark_cells(NearMesh& m, std::span<const Vec3> points, double reach) {
         const Cell from = cell_of(p - r), to = cell_of(p + r);
         if (from == last_lo && to == last_hi) continue;
         last_lo = from, last_hi = to;
-        any_cell(m, from, to, [&](uint64_t bit) {
-            m.cells[bit >> 6] |= uint64_t{1} << (bit & 63);
+        any_word(m, from, to, [&](uint64_t w, uint64_t bits) {
+            m.cells[w] |= bits;
             return false;
         });
     }
@@ -191,7 +198,7 @@ bool NearMesh::covers(Vec3 lo, Vec3 hi) const {
     const Cell from = cell_of(lo), to = cell_of(hi);
     for (std::size_t a = 0; a < 3; ++a)
         if (from[a] < 1 || to[a] > cell_count[a]) return false;
-    return !any_cell(*this, from, to, [&](uint64_t bit) { return !is_marked(*this, bit); });
+    return !any_word(*this, from, to, [&](uint64_t w, uint64_t bits) { return (~cells[w] & bits) != 0; });
 }
 
 NearMesh near_mesh(const SegmentMesh& mesh, std::span<const Vec3> points, double reach, unsigned threads) {

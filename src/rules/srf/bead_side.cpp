@@ -66,11 +66,15 @@ public:
             for_cells(h, [&](std::size_t cell) { hop_[next[cell]++] = h; });
     }
 
+    /// Whether the point is anywhere near the line; without a branch, as most are not.
+    bool is_around(Vec3 x) const {
+        return (x.x >= min_.x) & (x.y >= min_.y) & (x.z >= min_.z) & (x.x <= max_.x) & (x.y <= max_.y) &
+               (x.z <= max_.z);
+    }
     /// The closest hop whose reach the point is in, if any.
     Near find(Vec3 x) const {
         Near best;
-        if (x.x < min_.x || x.y < min_.y || x.z < min_.z || x.x > max_.x || x.y > max_.y || x.z > max_.z)
-            return best;
+        if (!is_around(x)) return best;
         const auto c = cell_of(x);
         const std::size_t cell = (std::size_t{c[2]} * count_[1] + c[1]) * count_[0] + c[0];
         double squared = std::numeric_limits<double>::infinity();
@@ -232,21 +236,30 @@ BeadSide judge_side(const NearMesh& mesh, std::span<const BeadFoot> feet,
     const LineGrid line(feet, all_hops, limits.reach);
 
     // The zone: start segments and every segment with a node in reach.
-    std::vector<bool> starts(mesh.segment.size(), false);
+    std::vector<uint8_t> starts(mesh.segment.size(), 0);
     for (const BeadFoot& f : feet)
-        starts[f.segment] = true;
-    std::vector<LineGrid::Near> near(mesh.x.size());
-    for (std::size_t n = 0; n < near.size(); ++n)
-        near[n] = line.find(mesh.x[n]);
+        starts[f.segment] = 1;
+    std::vector<uint32_t> place_of(mesh.x.size(), none); // of a node in `near`
+    std::vector<LineGrid::Near> near;
+    for (std::size_t n = 0; n < mesh.x.size(); ++n) {
+        const LineGrid::Near one = line.find(mesh.x[n]);
+        if (one.hop == none) continue;
+        place_of[n] = static_cast<uint32_t>(near.size());
+        near.push_back(one);
+    }
     std::vector<uint32_t> place(mesh.segment.size(), none);
     std::vector<LineGrid::Near> nearest;
     for (uint32_t s = 0; s < mesh.segment.size(); ++s) {
+        const SegmentNodes& nodes = mesh.segment[s];
+        // All bits are set only where no node has a place.
+        const uint32_t places =
+            place_of[nodes[0]] & place_of[nodes[1]] & place_of[nodes[2]] & place_of[nodes[3]];
+        if (places == none && starts[s] == 0) continue;
         LineGrid::Near best;
-        for (const uint32_t n : mesh.segment[s])
-            if (near[n].distance < best.distance) best = near[n];
-        if (best.hop == none && !starts[s]) continue;
+        for (const uint32_t n : nodes)
+            if (place_of[n] != none && near[place_of[n]].distance < best.distance) best = near[place_of[n]];
         place[s] = static_cast<uint32_t>(out.zone.size());
-        out.zone.push_back({s, Facing::unknown, starts[s], starts[s] ? 0 : best.distance, 0});
+        out.zone.push_back({s, Facing::unknown, starts[s] != 0, starts[s] ? 0 : best.distance, 0});
         nearest.push_back(best);
     }
 
