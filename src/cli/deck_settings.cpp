@@ -75,6 +75,9 @@ Result<KnownFindings> KnownFindings::of(const std::string& baseline, const std::
             if (!before) return before.error();
             out.before_ = std::move(*before);
         }
+        Result<std::unique_ptr<FileSink>> sink = FileSink::replace(write_baseline);
+        if (!sink) return sink.error();
+        out.sink_ = std::move(*sink);
         out.written_ = Baseline(write_baseline);
         out.written_path_ = write_baseline;
     }
@@ -96,7 +99,7 @@ void KnownFindings::take(DeckResult& result, const Selection& run) {
 
 int KnownFindings::finish(bool quiet) {
     if (written_) {
-        const auto change = written_->write(*before_);
+        const auto change = written_->write(*before_, *sink_);
         if (!change) {
             say_error(change.error());
             return exit_failed;

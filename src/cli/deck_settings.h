@@ -50,6 +50,7 @@ public:
 private:
     std::optional<Baseline> read_, before_, written_;
     std::string read_path_, written_path_;
+    std::unique_ptr<FileSink> sink_; ///< of what is written: opened first, so that no run is in vain
     uint64_t gone_ = 0;
     std::string gone_list_;
 };

@@ -279,7 +279,10 @@ Result<ReadReport> read_report(const std::string& path) {
     DiskReader disk;
     const Result<FileBytes> bytes = disk.read(path);
     if (!bytes) return bytes.error();
-    const std::string_view text = bytes->view();
+    return parse_report(bytes->view(), path);
+}
+
+Result<ReadReport> parse_report(std::string_view text, const std::string& path) {
     Json json;
     Builder builder(json);
     if (!Json::sax_parse(text.begin(), text.end(), &builder))

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace drawbead {
@@ -20,5 +21,7 @@ struct ReadReport {
 /// A file by schemas/report.schema.json. Members that are not known are passed over; one that is missing or
 /// of another kind is an error that names it.
 Result<ReadReport> read_report(const std::string& path);
+/// The same of the bytes of one; `path` is for messages.
+Result<ReadReport> parse_report(std::string_view text, const std::string& path);
 
 } // namespace drawbead

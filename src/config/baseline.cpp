@@ -153,6 +153,12 @@ void Baseline::learn(DeckResult& result, const Selection& run) {
 }
 
 Result<Baseline::Change> Baseline::write(const Baseline& before) {
+    Result<std::unique_ptr<FileSink>> file = FileSink::replace(path_);
+    if (!file) return file.error();
+    return write(before, **file);
+}
+
+Result<Baseline::Change> Baseline::write(const Baseline& before, FileSink& file) {
     Change change;
     std::error_code failure;
     const fs::path folder = folder_of(path_);
@@ -172,10 +178,8 @@ Result<Baseline::Change> Baseline::write(const Baseline& before) {
             change.added -= kept; // what is in the file afterwards and was not before
         }
     }
-    Result<std::unique_ptr<FileSink>> file = FileSink::replace(path_);
-    if (!file) return file.error();
     using Layout = JsonWriter::Layout;
-    JsonWriter json(**file);
+    JsonWriter json(file);
     json.begin_object();
     json.member("tool", "drawbead");
     json.member("schema", 1);
@@ -205,7 +209,7 @@ Result<Baseline::Change> Baseline::write(const Baseline& before) {
     json.end();
     json.end();
     change.added += change.findings;
-    if (auto written = (*file)->finish(); !written) return written.error();
+    if (auto written = file.finish(); !written) return written.error();
     return change;
 }
 

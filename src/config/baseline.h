@@ -4,6 +4,7 @@
 // the folder of the file, so that a checkout may move.
 #include "base/result.h"
 #include "findings/report.h"
+#include "report/output.h"
 #include "rules/check.h"
 
 #include <map>
@@ -33,6 +34,8 @@ public:
     /// knows of other rules, of decks that could not be read, and of decks that were not looked at and still
     /// exist. The file is replaced as a whole.
     Result<Change> write(const Baseline& before);
+    /// The same into a file that was opened for it, when a run began.
+    Result<Change> write(const Baseline& before, FileSink&);
 
 private:
     using Key = std::tuple<std::string, int64_t, std::string>; ///< code, interface or -1, fingerprint
