@@ -142,7 +142,8 @@ bool may_span_marked(const CornerWords& word) {
     // Far from the points no cell beside the first corner's is marked. Along one axis there are no other
     // cells than those of the corners.
     const int axes = ((other & 511) != 0) + ((other >> 10 & 511) != 0) + ((other >> 20 & 511) != 0);
-    return (axes > 0) & !(close & (((word[0] & hot) == 0) | (axes == 1)));
+    const int surely_not = int{axes == 0} | (int{close} & (int{(word[0] & hot) == 0} | int{axes == 1}));
+    return surely_not == 0;
 }
 
 /// Whether one of the cells from corner to corner is marked.
@@ -255,7 +256,7 @@ NearMesh near_mesh(const SegmentMesh& mesh, std::span<const Vec3> points, double
                 word.store(words[k] | used, std::memory_order_relaxed);
             }
             candidates[count] = static_cast<uint32_t>(s);
-            count += whole | touches_marked(words) | may_span_marked(words);
+            count += int{whole} | int{touches_marked(words)} | int{may_span_marked(words)};
         }
         for (std::size_t i = 0; i < count; ++i) {
             const SegmentNodes n = mesh.segment[candidates[i]];

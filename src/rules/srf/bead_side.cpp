@@ -68,8 +68,8 @@ public:
 
     /// Whether the point is anywhere near the line; without a branch, as most are not.
     bool is_around(Vec3 x) const {
-        return (x.x >= min_.x) & (x.y >= min_.y) & (x.z >= min_.z) & (x.x <= max_.x) & (x.y <= max_.y) &
-               (x.z <= max_.z);
+        return (int{x.x >= min_.x} & int{x.y >= min_.y} & int{x.z >= min_.z} & int{x.x <= max_.x} &
+                int{x.y <= max_.y} & int{x.z <= max_.z}) != 0;
     }
     /// The closest hop whose reach the point is in, if any.
     Near find(Vec3 x) const {
@@ -154,7 +154,7 @@ Across across(const NearMesh& mesh, uint32_t segment, std::size_t k) {
     uint32_t other = none, count = 0;
     for (const uint32_t one : mesh.segments_around(a)) {
         const SegmentNodes& n = mesh.segment[one];
-        const bool has = (n[0] == b) | (n[1] == b) | (n[2] == b) | (n[3] == b);
+        const bool has = (int{n[0] == b} | int{n[1] == b} | int{n[2] == b} | int{n[3] == b}) != 0;
         other = has && one != segment ? one : other;
         count += has;
     }

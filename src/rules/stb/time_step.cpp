@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <vector>
 
 namespace drawbead {
 
@@ -57,6 +58,7 @@ std::optional<TimeStepRisk> time_step_risk(const RuleContext& context, const Bea
     }
 
     const NearMesh& near = context.analysis.surfaces[*bead.surface].near;
+    std::vector<std::optional<double>> steps(near.segment.size()); // each serves four nodes; 0: not known
     std::optional<TimeStepRisk> worst;
     for (const auto& [id, sum] : by_id) {
         const auto at = std::lower_bound(near.node_id.begin(), near.node_id.end(), id);
@@ -69,9 +71,11 @@ std::optional<TimeStepRisk> time_step_risk(const RuleContext& context, const Bea
         one.stick = sum.stick;
         one.element_step = std::numeric_limits<double>::infinity();
         for (const uint32_t around : near.segments_around(local)) {
-            const auto step =
-                step_of(context, a.surface->segments[near.segment_index[around]], near.corners(around));
-            if (!step) return std::nullopt;
+            std::optional<double>& step = steps[around];
+            if (!step)
+                step = step_of(context, a.surface->segments[near.segment_index[around]], near.corners(around))
+                           .value_or(0);
+            if (*step == 0) return std::nullopt;
             one.element_step = std::min(one.element_step, *step);
         }
         const auto mass = node_mass(context.model, *a.surface, near, local);
