@@ -107,33 +107,67 @@ DRAWBEAD_WIDE_INLINE bool take_apart(const char* cell, Decimal& out) {
     return true;
 }
 
-/// Three cells of 20 columns at once when all are as a fixed format writes them: blanks, a minus or none,
-/// digits with one point among them up to the last column. False when they are not, or have more than 16
-/// digits.
-DRAWBEAD_WIDE_INLINE bool take_three_apart(const char* cells, Decimal& x, Decimal& y, Decimal& z) {
-    constexpr uint64_t columns20 = (1u << 20) - 1, columns60 = (uint64_t{1} << 60) - 1;
-    constexpr uint64_t last = uint64_t{1} << 19 | uint64_t{1} << 39 | uint64_t{1} << 59;
-    const __m256i low = load_wide(cells), high = load_wide(cells + 32);
-    const uint64_t digits = (digits_in(low) | uint64_t{digits_in(high)} << 32) & columns60;
-    const uint64_t filled = ~(equal_in(low, ' ') | uint64_t{equal_in(high, ' ')} << 32) & columns60;
-    const uint64_t point = (equal_in(low, '.') | uint64_t{equal_in(high, '.')} << 32) & columns60;
-    const uint64_t minus = (equal_in(low, '-') | uint64_t{equal_in(high, '-')} << 32) & columns60;
+DRAWBEAD_WIDE_INLINE bool exact(const Decimal& d) {
+    return static_cast<uint32_t>(d.exponent + 22) <= 44;
+}
+
+/// What stands in the 60 columns of three cells: a bit for each, from the first column on.
+struct Columns60 {
+    uint64_t digit, blank, point, minus;
+};
+
+DRAWBEAD_WIDE_INLINE uint64_t join_columns(uint32_t low, uint32_t high) {
+    return (low | uint64_t{high} << 32) & ((uint64_t{1} << 60) - 1);
+}
+
+constexpr uint64_t first_columns = 1 | uint64_t{1} << 20 | uint64_t{1} << 40;
+
+/// Takes apart three mantissas that end in column `width` of their cells: blanks, a minus or none, digits
+/// with one point among them. False when they are not of that form or have more than 16 digits.
+template <uint32_t width>
+DRAWBEAD_WIDE_INLINE bool take_mantissas(const char* cells, const Columns60& text, Decimal* to) {
+    constexpr uint64_t inside = (first_columns << width) - first_columns, last = first_columns << (width - 1);
+    const uint64_t digit = text.digit & inside, point = text.point & inside, minus = text.minus & inside;
+    const uint64_t filled = ~text.blank & inside;
     const uint64_t begin = filled & ~((filled & ~last) << 1);
     const uint64_t wrong =
-        (filled & ~(filled >> 1) & ~last) | (last & ~filled) | (filled & ~(digits | point | (minus & begin)));
+        (filled & ~(filled >> 1) & ~last) | (last & ~filled) | (filled & ~(digit | point | (minus & begin)));
     if (wrong != 0 || std::popcount(point) != 3) return false;
-    Decimal* const to[3] = {&x, &y, &z};
     for (uint32_t k = 0; k < 3; ++k) {
-        const uint32_t at = static_cast<uint32_t>(point >> 20 * k & columns20);
+        constexpr uint32_t cell = (1u << 20) - 1;
+        const uint32_t at = static_cast<uint32_t>(point >> 20 * k) & cell;
         const uint32_t count =
-            static_cast<uint32_t>(std::popcount(static_cast<uint32_t>(digits >> 20 * k & columns20)));
+            static_cast<uint32_t>(std::popcount(static_cast<uint32_t>(digit >> 20 * k) & cell));
         if (at == 0 || count - 1 > 15) return false;
-        const uint32_t decimals = 19 - static_cast<uint32_t>(std::countr_zero(at));
-        const char* const end = cells + 20 * (k + 1);
+        const uint32_t decimals = width - 1 - static_cast<uint32_t>(std::countr_zero(at));
+        const char* const end = cells + 20 * k + width;
         const __m128i joined = _mm_blendv_epi8(load(end - 17), load(end - 16), load(last_bytes + decimals));
-        to[k]->digits = _mm_and_si128(_mm_sub_epi8(joined, _mm_set1_epi8('0')), load(last_bytes + count));
-        to[k]->exponent = -static_cast<int>(decimals);
-        to[k]->negative = (minus >> 20 * k & columns20) != 0;
+        to[k].digits = _mm_and_si128(_mm_sub_epi8(joined, _mm_set1_epi8('0')), load(last_bytes + count));
+        to[k].exponent = -static_cast<int>(decimals);
+        to[k].negative = (static_cast<uint32_t>(minus >> 20 * k) & cell) != 0;
+    }
+    return true;
+}
+
+/// Three cells of 20 columns at once when all are as a fixed format writes them: up to the last column, or
+/// up to an exponent like E+01 there. False when they are not, or are not exact().
+DRAWBEAD_WIDE_INLINE bool take_three_apart(const char* cells, Decimal* to) {
+    const __m256i low = load_wide(cells), high = load_wide(cells + 32);
+    const Columns60 text{join_columns(digits_in(low), digits_in(high)),
+                         join_columns(equal_in(low, ' '), equal_in(high, ' ')),
+                         join_columns(equal_in(low, '.'), equal_in(high, '.')),
+                         join_columns(equal_in(low, '-'), equal_in(high, '-'))};
+    if (take_mantissas<20>(cells, text, to)) return true;
+    const uint64_t letter = join_columns(equal_in(low, 'E'), equal_in(high, 'E'));
+    const uint64_t sign = text.minus | join_columns(equal_in(low, '+'), equal_in(high, '+'));
+    if (letter != first_columns << 16) return false;
+    if ((sign >> 17 & text.digit >> 18 & text.digit >> 19 & first_columns) != first_columns) return false;
+    if (!take_mantissas<16>(cells, text, to)) return false;
+    for (uint32_t k = 0; k < 3; ++k) {
+        const char* const end = cells + 20 * k + 16;
+        const int written = 10 * (end[2] - '0') + (end[3] - '0');
+        to[k].exponent += end[1] == '-' ? -written : written;
+        if (!exact(to[k])) return false;
     }
     return true;
 }
@@ -145,10 +179,6 @@ DRAWBEAD_WIDE_INLINE double value_of(uint64_t mantissa, const Decimal& d) {
     else
         value *= power_of_ten[d.exponent];
     return d.negative ? -value : value;
-}
-
-DRAWBEAD_WIDE_INLINE bool exact(const Decimal& d) {
-    return static_cast<uint32_t>(d.exponent + 22) <= 44;
 }
 
 /// The start of the line after the blanks at `at`; nullptr when there is something else before the newline.
@@ -238,9 +268,12 @@ DRAWBEAD_WIDE void read_node_lines_avx2(LineRange& range, NodeRows& rows) {
         if (filled != digits || filled == 0) break;
         const uint32_t run = filled >> std::countr_zero(filled);
         if (run & (run + 1)) break;
-        Decimal x, y, z;
-        if (!take_three_apart(at + 10, x, y, z)) {
-            if (!take_apart(at + 10, x) || !take_apart(at + 30, y) || !take_apart(at + 50, z)) break;
+        Decimal cell[3];
+        const Decimal &x = cell[0], &y = cell[1], &z = cell[2];
+        if (!take_three_apart(at + 10, cell)) {
+            if (!take_apart(at + 10, cell[0]) || !take_apart(at + 30, cell[1]) ||
+                !take_apart(at + 50, cell[2]))
+                break;
             if (!exact(x) || !exact(y) || !exact(z)) break;
         }
         const char* const next = at[70] == '\n' ? at + 71 : after_blanks(at + 70, end);

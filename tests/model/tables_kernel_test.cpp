@@ -44,6 +44,22 @@ public:
         }
         return text;
     }
+    /// Three cells as one fixed format writes them, now and then with one character off.
+    std::string fixed_cells() {
+        static const std::array<const char*, 6> formats{"%20.14E", "%20.13E", "%20.12e",
+                                                        "%20.8f",  "%20.14f", "%20.0f"};
+        const char* const format = formats[below(formats.size())];
+        std::string cells;
+        for (int k = 0; k < 3; ++k) {
+            const double size = std::pow(10.0, static_cast<double>(below(below(4) ? 12 : 60)) - 5);
+            const double value = (below(3) ? 1 : -1) * size * (below(1000000) + 0.5) / 1e6;
+            std::array<char, 100> text;
+            std::snprintf(text.data(), text.size(), format, value);
+            cells += std::string(text.data()).substr(0, 20);
+        }
+        if (below(10) == 0) cells[below(60)] = " .-+E0"[below(6)];
+        return cells;
+    }
     std::string integer_text() {
         return often() || often() ? digits(1 + below(below(8) ? 9 : 11)) : odd_text();
     }
@@ -103,8 +119,11 @@ std::string node_lines(uint32_t seed, uint32_t count) {
     std::string text;
     for (uint32_t i = 0; i < count; ++i) {
         std::string line = make.cell(make.integer_text(), 10);
-        for (int k = 0; k < 3; ++k)
-            line += make.cell(make.real_text(), 20);
+        if (make.below(2))
+            line += make.fixed_cells();
+        else
+            for (int k = 0; k < 3; ++k)
+                line += make.cell(make.real_text(), 20);
         if (make.below(20) == 0) line.resize(make.below(71));
         if (make.below(40) == 0) line[make.below(static_cast<uint32_t>(line.size()) + 1)] = '\0';
         text += line + make.rest() + make.line_end();

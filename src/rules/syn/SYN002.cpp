@@ -113,7 +113,7 @@ void check(const RuleContext& context, FindingSink& sink) {
         draft.message += normal ? "no normal force, and the restraint acts at any distance"
                                 : "the limits are constant along the bead";
         add_cost(context, bead, dropped, draft);
-        draft.notes.push_back(
+        draft.notes.emplace_back(
             "the solver says nothing: it cuts the card by the layout of the version on /BEGIN");
         draft.help = "raise the version on /BEGIN to " +
                      std::to_string(dropped.back().name.find("_last") != std::string_view::npos

@@ -40,7 +40,7 @@ std::vector<std::string_view> blank_columns(int layout) {
     std::vector<std::string_view> columns{"41-50", "51-60", "61-70", "71-80", "81-90", "91-100"};
     if (layout >= first_layout_with_iform_in_31 || layout < first_layout_with_iform)
         columns.insert(columns.begin(), "21-30");
-    if (layout < first_layout_with_iform_in_31) columns.push_back("31-40");
+    if (layout < first_layout_with_iform_in_31) columns.emplace_back("31-40");
     return columns;
 }
 
@@ -57,19 +57,22 @@ void check_card_1(const RuleContext& context, const Drawbead& bead, const Span& 
         draft.discriminator = columns;
         const std::string value = number(cell.real);
         if (!has_iform) {
-            draft.message = version + " has no Iform, but columns " + std::string(columns) + " hold " +
-                            value + ": Iform " + std::to_string(default_iform) + " is used";
+            draft.message.append(version).append(" has no Iform, but columns ").append(columns);
+            draft.message.append(" hold ").append(value).append(": Iform ");
+            draft.message.append(std::to_string(default_iform)).append(" is used");
             if (cell.integer == default_iform) draft.severity = Severity::warning;
             draft.help = "leave the columns blank, or raise the version on /BEGIN to 110 or later";
         } else if (is_stray_iform(card, columns, scope.layout)) {
             draft.fixes.push_back({title, FixAvailability::safe});
-            draft.message = "Iform is read from columns " + std::string(own) + " in " + version +
-                            ", but columns " + std::string(columns) + " hold " + value + ": Iform " +
-                            std::to_string(default_iform) + ", the default, is used";
+            draft.message.append("Iform is read from columns ").append(own).append(" in ").append(version);
+            draft.message.append(", but columns ").append(columns).append(" hold ").append(value);
+            draft.message.append(": Iform ").append(std::to_string(default_iform));
+            draft.message.append(", the default, is used");
             draft.help = "move it to columns " + std::string(own);
         } else {
-            draft.message = "columns " + std::string(columns) + " of the first card of " + bead_name(bead) +
-                            " hold " + value + ", but " + version + " reads nothing there";
+            draft.message.append("columns ").append(columns).append(" of the first card of ");
+            draft.message.append(bead_name(bead)).append(" hold ").append(value).append(", but ");
+            draft.message.append(version).append(" reads nothing there");
             draft.help = "move the value to its columns, or remove it";
         }
         sink.add(std::move(draft));
