@@ -242,19 +242,24 @@ NearMesh near_mesh(const SegmentMesh& mesh, std::span<const Vec3> points, double
         const std::size_t begin = p * piece, end = std::min(segments, begin + piece);
         const auto candidates = std::make_unique_for_overwrite<uint32_t[]>(end - begin);
         std::size_t count = 0;
+        // Copies that a loop keeps in registers.
+        const SegmentArray segment = mesh.segment;
+        const std::size_t row_count = rows;
+        uint32_t* const word_of = at_row.data();
+        const auto take = [word_of](uint32_t row) {
+            // Several threads may come here, with the same value.
+            const std::atomic_ref<uint32_t> word(word_of[row]);
+            const uint32_t value = word.load(std::memory_order_relaxed);
+            word.store(value | used, std::memory_order_relaxed);
+            return value;
+        };
         for (std::size_t s = begin; s < end; ++s) {
             if (s + ahead < end)
-                for (const uint32_t row : mesh.segment[s + ahead])
-                    if (row < rows) __builtin_prefetch(&at_row[row], 1);
-            const SegmentNodes n = mesh.segment[s];
-            if (n[0] >= rows || n[1] >= rows || n[2] >= rows || n[3] >= rows) continue;
-            CornerWords words;
-            for (std::size_t k = 0; k < 4; ++k) {
-                // Several threads may come here, with the same value.
-                const std::atomic_ref<uint32_t> word(at_row[n[k]]);
-                words[k] = word.load(std::memory_order_relaxed);
-                word.store(words[k] | used, std::memory_order_relaxed);
-            }
+                for (const uint32_t row : segment[s + ahead])
+                    if (row < row_count) __builtin_prefetch(word_of + row, 1);
+            const SegmentNodes n = segment[s];
+            if (std::max(std::max(n[0], n[1]), std::max(n[2], n[3])) >= row_count) continue;
+            const CornerWords words{take(n[0]), take(n[1]), take(n[2]), take(n[3])};
             candidates[count] = static_cast<uint32_t>(s);
             count += int{whole} | int{touches_marked(words)} | int{may_span_marked(words)};
         }

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstring>
 
 namespace drawbead {
 
@@ -30,14 +32,26 @@ constexpr uint32_t hash(uint32_t node) {
     return static_cast<uint32_t>(h >> 32);
 }
 
-/// Nodes of a segment as plain numbers; false when it takes no part.
-inline __attribute__((always_inline)) bool corners(const SegmentList& segments, std::size_t i, uint32_t nodes,
-                                                   std::array<uint32_t, 4>& n) {
-    const std::array<NodeRow, 4> rows = segments.nodes(i);
-    for (std::size_t k = 0; k < 4; ++k)
-        n[k] = index(rows[k]);
-    return !segments.solid_backed(i) && std::max({n[0], n[1], n[2], n[3]}) < nodes;
-}
+/// Nodes of segments as plain numbers; a copy of its own keeps all of it in a loop's registers.
+class CornerReader {
+public:
+    CornerReader(const SegmentList& segments, uint32_t nodes)
+        : first_(static_cast<const std::byte*>(segments.first_nodes())), stride_(segments.stride()),
+          nodes_(nodes), stored_(segments.is_stored() ? &segments : nullptr) {}
+    /// False when the segment takes no part.
+    bool read(std::size_t segment, std::array<uint32_t, 4>& n) const {
+        std::memcpy(&n, first_ + segment * stride_, sizeof n);
+        if (std::max(std::max(n[0], n[1]), std::max(n[2], n[3])) >= nodes_) return false;
+        return stored_ == nullptr || !stored_->solid_backed(segment);
+    }
+
+private:
+    static_assert(sizeof(NodeRow) == sizeof(uint32_t));
+    const std::byte* first_;
+    std::size_t stride_;
+    uint32_t nodes_;
+    const SegmentList* stored_;
+};
 
 std::pair<std::size_t, std::size_t> piece_of(std::size_t count, std::size_t pieces, std::size_t piece) {
     return {count * piece / pieces, count * (piece + 1) / pieces};
@@ -54,13 +68,14 @@ std::vector<uint64_t> open_nodes(const SegmentList& segments, uint32_t nodes, un
         sums[piece] = Buffer<uint32_t>::zeroed(nodes);
         uint32_t* const sum = sums[piece].data();
         const auto [begin, end] = piece_of(segments.size(), pieces, piece);
+        const CornerReader corners(segments, nodes);
         std::array<uint32_t, 4> n;
         for (std::size_t i = begin; i < end; ++i) {
             // Where nodes are numbered at random every sum is far from the last one.
             if (i + ahead < end)
                 for (const NodeRow row : segments.nodes(i + ahead))
                     if (index(row) < nodes) __builtin_prefetch(sum + index(row), 1);
-            if (!corners(segments, i, nodes, n)) continue;
+            if (!corners.read(i, n)) continue;
             const uint32_t h0 = hash(n[0]), h1 = hash(n[1]), h2 = hash(n[2]);
             if (n[2] == n[3]) {
                 sum[n[0]] += h1 - h2;
@@ -104,9 +119,10 @@ std::vector<EdgeUse> open_edges(const SegmentList& segments, uint32_t nodes,
     parallel_for(threads, pieces, [&](std::size_t piece) {
         std::vector<EdgeUse>& uses = found[piece];
         const auto [begin, end] = piece_of(segments.size(), pieces, piece);
+        const CornerReader corners(segments, nodes);
         std::array<uint32_t, 4> n;
         for (std::size_t i = begin; i < end; ++i) {
-            if (!corners(segments, i, nodes, n)) continue;
+            if (!corners.read(i, n)) continue;
             // Every edge has one end of either pair.
             if (!is_open(n[0]) && !is_open(n[2])) continue;
             if (!is_open(n[1]) && !is_open(n[3])) continue;
