@@ -90,25 +90,25 @@ std::vector<NearHops> near_hops(const LineHops& first, const LineHops& second, d
             cell = std::max(cell, norm(first.x[first.hops[i].to] - first.x[first.hops[i].from]));
         }
     if (candidates.empty() || !(cell > 0)) return found;
-    using Cell = std::array<int64_t, 3>;
+    using GridCell = std::array<int64_t, 3>;
     const auto cell_of = [&](Vec3 x) {
         constexpr double farthest = 1e15;
         const Vec3 r = x - all_first.lo;
         const auto part = [&](double v) {
             return static_cast<int64_t>(std::clamp(std::floor(v / cell), -farthest, farthest));
         };
-        return Cell{part(r.x), part(r.y), part(r.z)};
+        return GridCell{part(r.x), part(r.y), part(r.z)};
     };
     const auto each_cell = [&](const Box& box, auto&& visit) {
-        const Cell lo = cell_of(box.lo), hi = cell_of(box.hi);
+        const GridCell lo = cell_of(box.lo), hi = cell_of(box.hi);
         for (int64_t x = lo[0]; x <= hi[0]; ++x)
             for (int64_t y = lo[1]; y <= hi[1]; ++y)
                 for (int64_t z = lo[2]; z <= hi[2]; ++z)
-                    visit(Cell{x, y, z});
+                    visit(GridCell{x, y, z});
     };
-    std::vector<std::pair<Cell, uint32_t>> grid;
+    std::vector<std::pair<GridCell, uint32_t>> grid;
     for (const uint32_t i : candidates)
-        each_cell(box_of(first, first.hops[i]), [&](const Cell& c) { grid.emplace_back(c, i); });
+        each_cell(box_of(first, first.hops[i]), [&](const GridCell& c) { grid.emplace_back(c, i); });
     std::sort(grid.begin(), grid.end());
 
     std::vector<uint32_t> near;
@@ -122,8 +122,9 @@ std::vector<NearHops> near_hops(const LineHops& first, const LineHops& second, d
         if (size.x * size.y * size.z > 1000) { // a hop much longer than those of the first line
             near = candidates;
         } else {
-            each_cell(box, [&](const Cell& c) {
-                for (auto at = std::lower_bound(grid.begin(), grid.end(), std::pair<Cell, uint32_t>(c, 0));
+            each_cell(box, [&](const GridCell& c) {
+                for (auto at =
+                         std::lower_bound(grid.begin(), grid.end(), std::pair<GridCell, uint32_t>(c, 0));
                      at != grid.end() && at->first == c; ++at)
                     near.push_back(at->second);
             });

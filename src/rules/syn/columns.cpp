@@ -108,41 +108,41 @@ bool touch_rightly(std::string_view line, const Token& token, uint32_t left_begi
 
 std::optional<ColumnFault> column_fault(std::string_view line, std::span<const uint32_t> ends,
                                         uint32_t width) {
-    using Kind = ColumnFault::Kind;
+    using Fault = ColumnFault::Kind;
     const Tokens tokens(line);
     if (tokens.empty()) return std::nullopt;
-    const auto fault = [&](Kind kind, const Token& token, std::size_t cell) {
+    const auto fault = [&](Fault kind, const Token& token, std::size_t cell) {
         return ColumnFault{kind, token.begin, token.end, first_of(ends, std::min(cell, ends.size())) + 1};
     };
     if (line.find(',') != std::string_view::npos) {
         if (!has_decimal_commas(line, tokens)) return std::nullopt;
         for (const Token& token : tokens)
             if (text_of(line, token).find(',') != std::string_view::npos)
-                return fault(Kind::decimal_comma, token, cell_of(ends, token.begin));
+                return fault(Fault::decimal_comma, token, cell_of(ends, token.begin));
     }
     const std::size_t tab = line.find('\t');
     if (tab != std::string_view::npos && tab < tokens.back().begin && misleads(line, tokens, ends)) {
         const auto at = static_cast<uint32_t>(tab);
-        return fault(Kind::tab, {at, at + 1}, cell_of(ends, at));
+        return fault(Fault::tab, {at, at + 1}, cell_of(ends, at));
     }
     for (std::size_t i = 0; i < tokens.size(); ++i) {
         const Token& token = tokens[i];
         const std::string_view text = text_of(line, token);
         if (text[0] == '#' || text[0] == '$') break; // a remark behind the values
         if (token.begin >= width) {
-            if (is_number(text)) return fault(Kind::over_width, token, ends.size());
+            if (is_number(text)) return fault(Fault::over_width, token, ends.size());
             break;
         }
         const std::size_t cell = cell_of(ends, token.begin), last = cell_of(ends, token.end - 1);
         if (cell >= ends.size()) break;
         if (i > 0 && cell_of(ends, tokens[i - 1].begin) == cell &&
             cell_of(ends, tokens[i - 1].end - 1) == cell && is_number(text))
-            return fault(Kind::several, token, cell);
+            return fault(Fault::several, token, cell);
         if (last == cell + 1) {
             const uint32_t right_end = last < ends.size() ? ends[last] : width;
             if (text[0] != '&' && is_digit(text.back() == '.' ? '0' : text.back()) &&
                 !touch_rightly(line, token, first_of(ends, cell), ends[cell], right_end))
-                return fault(Kind::straddle, token, cell);
+                return fault(Fault::straddle, token, cell);
         }
     }
     return std::nullopt;
