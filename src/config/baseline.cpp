@@ -152,12 +152,6 @@ void Baseline::learn(DeckResult& result, const Selection& run) {
     result.findings.clear();
 }
 
-Result<Baseline::Change> Baseline::write(const Baseline& before) {
-    Result<std::unique_ptr<FileSink>> file = FileSink::replace(path_);
-    if (!file) return file.error();
-    return write(before, **file);
-}
-
 Result<Baseline::Change> Baseline::write(const Baseline& before, FileSink& file) {
     Change change;
     std::error_code failure;

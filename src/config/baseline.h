@@ -32,9 +32,7 @@ public:
     };
     /// What was learned, in place of what `before` knows of the same decks and rules. It keeps what that
     /// knows of other rules, of decks that could not be read, and of decks that were not looked at and still
-    /// exist. The file is replaced as a whole.
-    Result<Change> write(const Baseline& before);
-    /// The same into a file that was opened for it, when a run began.
+    /// exist. The file, opened with FileSink::replace when the run began, is finished.
     Result<Change> write(const Baseline& before, FileSink&);
 
 private:

@@ -220,19 +220,12 @@ void SegmentTree::build(const NearMesh& mesh, uint32_t begin, uint32_t end,
 
 namespace {
 
-constexpr uint64_t hash(uint32_t node) {
-    uint64_t h = (uint64_t{node} + 1) * 0x9e3779b97f4a7c15u;
-    h ^= h >> 29;
-    h *= 0xbf58476d1ce4e5b9u;
-    return h ^ h >> 32;
-}
-
 /// Nodes around which every edge that leaves them in one segment comes back in another: hashes of the nodes
 /// after and before them cancel, by chance at one node in 2^64.
 std::vector<uint8_t> closed_nodes(const NearMesh& mesh) {
     std::vector<uint64_t> sum(mesh.x.size(), 0), own(mesh.x.size());
     for (uint32_t i = 0; i < own.size(); ++i)
-        own[i] = hash(i);
+        own[i] = node_hash(i);
     for (const SegmentNodes& n : mesh.segment) {
         const uint64_t h0 = own[n[0]], h1 = own[n[1]], h2 = own[n[2]], h3 = own[n[3]];
         const uint64_t last = is_triangle(n) ? h2 : h3;
@@ -515,11 +508,6 @@ bool ClosestSegment::leads_on(Vec3 x, uint32_t segment, double radius) const {
             squared_bound_from(mesh_, mesh_.segment[s], at, foot, x) < closer * closer)
             return true;
     return false;
-}
-
-std::optional<ClosestHit> ClosestSegment::other_layer(Vec3 x, const ClosestHit& nearest,
-                                                      double within) const {
-    return other_layer(x, nearest, within, nullptr);
 }
 
 std::optional<ClosestHit> ClosestSegment::other_layer(Vec3 x, const ClosestHit& nearest, double within,

@@ -94,10 +94,9 @@ public:
 
     /// The closest of the *other* layers: a foot where the distance has a local minimum on the surface, on a
     /// segment that shares no node with `nearest`'s, not farther than `within`.
-    std::optional<ClosestHit> other_layer(Vec3 x, const ClosestHit& nearest, double within) const;
-    /// The same, and sooner where many points are asked for: with the cone of this mesh and tree.
+    /// Sooner with the cone of this mesh and tree, which pays where many points are asked for.
     std::optional<ClosestHit> other_layer(Vec3 x, const ClosestHit& nearest, double within,
-                                          const NormalCone*) const;
+                                          const NormalCone* = nullptr) const;
 
 private:
     const NearMesh& mesh_;

@@ -25,6 +25,16 @@ constexpr SegmentNodes turned(const SegmentNodes& n) {
     return is_triangle(n) ? SegmentNodes{n[1], n[0], n[2], n[3]} : SegmentNodes{n[3], n[2], n[1], n[0]};
 }
 
+/// Numbers whose sums say whether edges meet: around a node, those of the next nodes in its segments and
+/// those of the previous ones cancel when every edge that leaves the node in one segment comes back in
+/// another.
+constexpr uint64_t node_hash(uint32_t node) {
+    uint64_t h = (uint64_t{node} + 1) * 0x9e3779b97f4a7c15u;
+    h ^= h >> 29;
+    h *= 0xbf58476d1ce4e5b9u;
+    return h ^ h >> 32;
+}
+
 /// Read-only view of segments that lie in an array of larger records.
 class SegmentArray {
 public:

@@ -2,6 +2,7 @@
 
 #include "base/buffer.h"
 #include "base/parallel.h"
+#include "contact/segment_mesh.h"
 
 #include <algorithm>
 #include <array>
@@ -26,10 +27,7 @@ struct EdgeUse {
 };
 
 constexpr uint32_t hash(uint32_t node) {
-    uint64_t h = (uint64_t{node} + 1) * 0x9e3779b97f4a7c15u;
-    h ^= h >> 29;
-    h *= 0xbf58476d1ce4e5b9u;
-    return static_cast<uint32_t>(h >> 32);
+    return static_cast<uint32_t>(node_hash(node) >> 32);
 }
 
 /// Nodes of segments as plain numbers; a copy of its own keeps all of it in a loop's registers.
