@@ -1,5 +1,6 @@
 #include "contact/closest_segment.h"
 
+#include "base/radix_order.h"
 #include "geometry/closest_foot.h"
 
 #include <algorithm>
@@ -7,7 +8,6 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 namespace drawbead {
@@ -145,24 +145,6 @@ std::size_t edge_downhill(const Corners& c, Vec3 x) {
     return no_edge;
 }
 
-/// Indices by ascending 30-bit key, in three passes; equal keys keep their order.
-std::vector<uint32_t> sorted_by(const std::vector<uint32_t>& key) {
-    std::vector<uint32_t> order(key.size()), next(key.size());
-    std::iota(order.begin(), order.end(), 0u);
-    for (uint32_t shift = 0; shift < 30; shift += 10) {
-        std::array<uint32_t, 1024> begin{};
-        for (const uint32_t k : key)
-            ++begin[k >> shift & 1023];
-        uint32_t sum = 0;
-        for (uint32_t& b : begin)
-            sum += std::exchange(b, sum);
-        for (const uint32_t i : order)
-            next[begin[key[i] >> shift & 1023]++] = i;
-        order.swap(next);
-    }
-    return order;
-}
-
 } // namespace
 
 // Segments along a Morton curve, split where its highest bit changes.
@@ -184,7 +166,7 @@ SegmentTree::SegmentTree(const NearMesh& mesh) {
         const Vec3 middle = 0.5 * (mesh.x[mesh.segment[s][0]] + mesh.x[mesh.segment[s][2]]);
         key[s] = step(middle.x, lo.x) | step(middle.y, lo.y) << 1 | step(middle.z, lo.z) << 2;
     }
-    order_ = sorted_by(key);
+    order_ = radix_order(std::span<const uint32_t>(key));
     box_.reserve(2 * (n / (leaf_size / 2) + 1));
     build(mesh, 0, static_cast<uint32_t>(n), key);
 }

@@ -2,6 +2,7 @@
 
 #include "base/buffer.h"
 #include "base/parallel.h"
+#include "base/radix_order.h"
 
 #include <algorithm>
 #include <atomic>
@@ -302,27 +303,20 @@ NearMesh near_mesh(const SegmentMesh& mesh, std::span<const Vec3> points, double
     for (const auto& f : found)
         m.segment_index.insert(m.segment_index.end(), f.begin(), f.end());
     if (mesh.storage_key) {
-        std::vector<std::pair<uint64_t, uint32_t>> by_key;
-        by_key.reserve(m.segment_index.size());
+        std::vector<uint64_t> key;
+        key.reserve(m.segment_index.size());
         for (const uint32_t s : m.segment_index)
-            by_key.emplace_back(mesh.storage_key(s), s);
-        if (!std::is_sorted(by_key.begin(), by_key.end())) std::sort(by_key.begin(), by_key.end());
-        for (std::size_t k = 0; k < by_key.size(); ++k)
-            m.segment_index[k] = by_key[k].second;
+            key.push_back(mesh.storage_key(s));
+        put_in_order(m.segment_index, std::span<const uint64_t>(key));
     }
 
     for (const auto& r : near_rows)
         m.node_row.insert(m.node_row.end(), r.begin(), r.end());
-    const auto by_id = [&](uint32_t a, uint32_t b) { return mesh.node_id[a] < mesh.node_id[b]; };
-    if (!std::is_sorted(m.node_row.begin(), m.node_row.end(), by_id)) {
-        std::vector<uint64_t> id_and_row;
-        id_and_row.reserve(m.node_row.size());
-        for (const uint32_t row : m.node_row)
-            id_and_row.push_back(uint64_t{mesh.node_id[row]} << 32 | row);
-        std::sort(id_and_row.begin(), id_and_row.end());
-        for (std::size_t i = 0; i < id_and_row.size(); ++i)
-            m.node_row[i] = static_cast<uint32_t>(id_and_row[i]);
-    }
+    std::vector<uint32_t> node_id;
+    node_id.reserve(m.node_row.size());
+    for (const uint32_t row : m.node_row)
+        node_id.push_back(mesh.node_id[row]);
+    put_in_order(m.node_row, std::span<const uint32_t>(node_id));
     if (!whole) m.complete.reserve(m.node_row.size());
     m.node_id.reserve(m.node_row.size());
     m.x.reserve(m.node_row.size());

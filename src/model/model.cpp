@@ -24,9 +24,10 @@ const Material* Model::material(MaterialId id) const {
     return find(materials_, material_index_, id);
 }
 
-std::vector<Attachment> Model::attachments(NodeRow row) const {
+std::span<const Attachment> Model::attachments(NodeRow row) const {
     const auto found = attachments_.find(index(row));
-    return found == attachments_.end() ? std::vector<Attachment>{} : found->second;
+    if (found == attachments_.end()) return {};
+    return found->second;
 }
 
 ElementId Model::element_id(const Segment& segment) const {

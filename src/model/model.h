@@ -94,7 +94,7 @@ public:
     const std::vector<ReadIssue>& issues() const { return issues_; }
 
     /// What holds the node; empty unless Needs::attachments, and only for nodes of drawbead groups.
-    std::vector<Attachment> attachments(NodeRow) const;
+    std::span<const Attachment> attachments(NodeRow) const;
 
     /// What the deck prescribes of the motion of nodes; empty unless Needs::motion.
     const DeckMotion& motion() const { return motion_; }

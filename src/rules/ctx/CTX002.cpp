@@ -14,7 +14,7 @@ std::string name_of(const RuleContext& context, const Attachment& held) {
 }
 
 /// The two options that hold a node against each other: two rigid bodies, or one and something else.
-std::optional<std::pair<Attachment, Attachment>> rivals(const std::vector<Attachment>& held) {
+std::optional<std::pair<Attachment, Attachment>> rivals(std::span<const Attachment> held) {
     const auto is_body = [](const Attachment& a) { return a.kind == Attachment::Kind::rigid_body; };
     const auto body = std::find_if(held.begin(), held.end(), is_body);
     if (body == held.end()) return std::nullopt;
@@ -52,7 +52,8 @@ void check_rivals(const RuleContext& context, const BeadAnalysis& a, FindingSink
         if (const auto pair = rivals(context.model.attachments(a.group->nodes[i]))) {
             const std::pair key(pair->first.block, pair->second.block);
             found[key].push_back(i);
-            names[key] = name_of(context, pair->first) + " and by " + name_of(context, pair->second);
+            if (const auto [name, is_new] = names.try_emplace(key); is_new)
+                name->second = name_of(context, pair->first) + " and by " + name_of(context, pair->second);
         }
     for (const auto& [key, positions] : found) {
         double fn = 0, ft = 0;

@@ -114,7 +114,7 @@ std::optional<Fix> fix(const RuleContext& context, const Draft& draft, FixPlanne
 
     // What holds or moves the first node has to hold the new one, too.
     IssueLog unreported;
-    const std::vector<Attachment> held = context.model.attachments(first);
+    const std::span<const Attachment> held = context.model.attachments(first);
     for (const Holder& holder : read_holders(deck, planner.options(), unreported)) {
         const Attachment& by = holder.attachment;
         if (std::none_of(held.begin(), held.end(), [&](const Attachment& h) { return h.block == by.block; }))

@@ -10,8 +10,21 @@ namespace drawbead {
 
 namespace {
 
+/// Whether any node is in two lists.
+bool any_shared(const std::vector<const BeadAnalysis*>& beads) {
+    std::vector<std::pair<NodeRow, std::size_t>> all;
+    for (std::size_t k = 0; k < beads.size(); ++k)
+        for (const NodeRow node : beads[k]->group->nodes)
+            all.emplace_back(node, k);
+    std::sort(all.begin(), all.end());
+    return std::adjacent_find(all.begin(), all.end(), [](const auto& p, const auto& q) {
+               return p.first == q.first && p.second != q.second;
+           }) != all.end();
+}
+
 void check(const RuleContext& context, FindingSink& sink) {
     std::vector<const BeadAnalysis*> beads = beads_with_nodes(context);
+    if (beads.size() < 2 || !any_shared(beads)) return;
     // So that the same pair is told alike whatever the order of the blocks.
     std::stable_sort(beads.begin(), beads.end(),
                      [](const auto* p, const auto* q) { return p->bead->id < q->bead->id; });

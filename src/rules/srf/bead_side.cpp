@@ -126,7 +126,7 @@ private:
     }
 };
 
-/// What lies across edge k of a segment, when exactly one other segment does.
+/// What lies across an edge of a segment, when exactly one other segment does.
 struct Across {
     uint32_t segment = none;
     bool agrees = false; ///< runs along the edge the other way
@@ -146,19 +146,22 @@ Runs runs_along(const SegmentNodes& n, uint32_t a, uint32_t b) {
     return out;
 }
 
+/// Across edge k, of two segments to the first of them; none when that is this one.
 Across across(const NearMesh& mesh, uint32_t segment, std::size_t k) {
     const SegmentNodes& s = mesh.segment[segment];
     const uint32_t a = s[k], b = s[(k + 1) % 4];
-    if (a == b) return {};
+    const auto around = mesh.segments_around(a); // ascending
+    if (a == b || around.back() <= segment) return {};
+    if (a == s[(k + 2) % 4] || b == s[(k + 3) % 4]) return {}; // along it and back
     // Mostly one other has both nodes: it is found without a branch per segment.
     uint32_t other = none, count = 0;
-    for (const uint32_t one : mesh.segments_around(a)) {
+    for (const uint32_t one : around) {
         const SegmentNodes& n = mesh.segment[one];
         const bool has = (int{n[0] == b} | int{n[1] == b} | int{n[2] == b} | int{n[3] == b}) != 0;
         other = has && one != segment ? one : other;
         count += has;
     }
-    if (count < 2) return {};
+    if (count < 2 || other < segment) return {};
     if (count == 2) {
         const Runs runs = runs_along(mesh.segment[other], a, b);
         return runs.forward == runs.back ? Across{} : Across{other, runs.back};
@@ -170,7 +173,7 @@ Across across(const NearMesh& mesh, uint32_t segment, std::size_t k) {
         if (out.segment != none || (runs.forward && runs.back)) return {};
         out = {one, runs.back};
     }
-    return out;
+    return out.segment > segment ? out : Across{};
 }
 
 /// Disjoint sets with the smallest member as the root, so that numbers do not depend on the order of joining.
@@ -270,11 +273,14 @@ BeadSide judge_side(const NearMesh& mesh, std::span<const BeadFoot> feet,
         for (std::size_t k = 0; k < 4; ++k) {
             const Across other = across(mesh, out.zone[i].segment, k);
             if (other.segment == none || place[other.segment] == none) continue;
-            if (other.agrees)
+            if (other.agrees) {
                 sets.join(i, place[other.segment]);
-            else
+            } else {
                 clashes.emplace_back(i, place[other.segment]);
+                clashes.emplace_back(place[other.segment], i);
+            }
         }
+    std::sort(clashes.begin(), clashes.end());
     std::vector<Patch> patches;
     std::vector<uint32_t> patch_of(out.zone.size());
     for (uint32_t i = 0; i < out.zone.size(); ++i) {

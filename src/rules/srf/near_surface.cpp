@@ -1,6 +1,7 @@
 #include "rules/srf/near_surface.h"
 
 #include "base/parallel.h"
+#include "base/radix_order.h"
 
 #include <algorithm>
 #include <array>
@@ -242,15 +243,13 @@ std::vector<uint32_t> segments_at(const SegmentArray& segment, const std::vector
 
 void sort_by_storage(const SegmentMesh& mesh, std::vector<uint32_t>& segments, unsigned threads) {
     if (!mesh.storage_key) return;
-    std::vector<std::pair<uint64_t, uint32_t>> keyed(segments.size());
+    std::vector<uint64_t> key(segments.size());
     constexpr std::size_t chunk = 4096;
-    parallel_for(threads, (keyed.size() + chunk - 1) / chunk, [&](std::size_t piece) {
-        for (std::size_t i = piece * chunk; i < std::min(keyed.size(), (piece + 1) * chunk); ++i)
-            keyed[i] = {mesh.storage_key(segments[i]), segments[i]};
+    parallel_for(threads, (key.size() + chunk - 1) / chunk, [&](std::size_t piece) {
+        for (std::size_t i = piece * chunk; i < std::min(key.size(), (piece + 1) * chunk); ++i)
+            key[i] = mesh.storage_key(segments[i]);
     });
-    std::sort(keyed.begin(), keyed.end());
-    for (std::size_t i = 0; i < keyed.size(); ++i)
-        segments[i] = keyed[i].second;
+    put_in_order(segments, std::span<const uint64_t>(key));
 }
 
 /// The segments with local node numbers, which ascend with the rows.

@@ -31,19 +31,22 @@ std::optional<double> mass_per_node(const Model& model, const Segment& s, const 
 
 } // namespace
 
-std::optional<double> node_mass(const Model& model, const Surface& surface, const NearMesh& near,
-                                uint32_t local) {
+double NodeMasses::share_of(uint32_t local) const {
+    const uint32_t segment = near_.segment_index[local];
+    const auto coated = std::lower_bound(surface_.coated.begin(), surface_.coated.end(), segment,
+                                         [](const CoatedSolid& c, uint32_t s) { return c.segment < s; });
+    if (coated != surface_.coated.end() && coated->segment == segment)
+        return not_known; // the solid behind has mass too
+    return mass_per_node(model_, surface_.segments[segment], near_.corners(local)).value_or(not_known);
+}
+
+std::optional<double> NodeMasses::of(uint32_t local) {
     double sum = 0;
-    for (const uint32_t around : near.segments_around(local)) {
-        const uint32_t segment = near.segment_index[around];
-        const auto coated = std::lower_bound(surface.coated.begin(), surface.coated.end(), segment,
-                                             [](const CoatedSolid& c, uint32_t s) { return c.segment < s; });
-        if (coated != surface.coated.end() && coated->segment == segment)
-            return std::nullopt; // the solid behind has mass too
-        const auto mass =
-            mass_per_node(model, surface.segments[near.segment_index[around]], near.corners(around));
-        if (!mass) return std::nullopt;
-        sum += *mass;
+    for (const uint32_t around : near_.segments_around(local)) {
+        double& share = share_[around];
+        if (share == not_yet) share = share_of(around);
+        if (share == not_known) return std::nullopt;
+        sum += share;
     }
     return sum;
 }

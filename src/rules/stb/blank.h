@@ -20,9 +20,26 @@ const InterfaceContact* first_cycle(const RuleContext&, const BeadAnalysis&);
 /// behind it is not known for sure. Needs analysis_contact.
 const SurfaceStiffness* known_stiffness(const RuleContext&, const BeadAnalysis&);
 
-/// Mass of a local node from the shells of the surface around it; empty where one of them is no shell or not
-/// known. Needs the thickness of elements.
-std::optional<double> node_mass(const Model&, const Surface&, const NearMesh&, uint32_t local);
+/// Masses of the nodes of a part of a surface, from the shells of the surface around them. What a segment
+/// gives to its nodes is worked out once. Needs the thickness of elements.
+class NodeMasses {
+public:
+    NodeMasses(const Model& model, const Surface& surface, const NearMesh& near)
+        : model_(model), surface_(surface), near_(near), share_(near.segment.size(), not_yet) {}
+
+    /// Of a local node; empty where something around it is no shell or not known.
+    std::optional<double> of(uint32_t local);
+
+private:
+    static constexpr double not_yet = -1, not_known = -2;
+
+    const Model& model_;
+    const Surface& surface_;
+    const NearMesh& near_;
+    std::vector<double> share_; ///< by local segment
+
+    double share_of(uint32_t segment) const;
+};
 
 /// How the normal force of a bead grows, from the segments that the solver starts with.
 struct BeadRamp {

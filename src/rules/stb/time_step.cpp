@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <vector>
 
 namespace drawbead {
@@ -41,34 +40,42 @@ std::optional<TimeStepRisk> time_step_risk(const RuleContext& context, const Bea
     const bool sticks = bead.iform != 1 && a.ft_total != 0;
     if (!ramp && !sticks) return std::nullopt;
 
-    struct Sum {
-        double normal = 0, stick = 0;
+    struct Share {
+        uint32_t node; ///< of the sheet, user id
+        double normal, stick;
     };
-    std::map<uint32_t, Sum> by_id; // user ids of nodes of the sheet
+    std::vector<Share> shares;
     const BeadContact& contact = first_cycle(context, a)->contact;
+    shares.reserve(4 * contact.node.size());
     for (const BeadNodeContact& n : contact.node) {
         if (!n.inside) continue;
         for (std::size_t k = 0; k < 4; ++k) {
             if (n.h[k] == 0) continue;
-            Sum& sum =
-                by_id[static_cast<uint32_t>(value(context.model.nodes().user_id(NodeRow{n.nodes[k]})))];
-            if (ramp) sum.normal += n.slope_read.value_or(n.slope) * n.solver_tributary * n.h[k];
-            if (sticks) sum.stick += n.k * n.h[k];
+            const auto id = static_cast<uint32_t>(value(context.model.nodes().user_id(NodeRow{n.nodes[k]})));
+            shares.push_back({id, ramp ? n.slope_read.value_or(n.slope) * n.solver_tributary * n.h[k] : 0,
+                              sticks ? n.k * n.h[k] : 0});
         }
     }
+    std::stable_sort(shares.begin(), shares.end(),
+                     [](const Share& p, const Share& q) { return p.node < q.node; });
 
     const NearMesh& near = context.analysis.surfaces[*bead.surface].near;
     std::vector<std::optional<double>> steps(near.segment.size()); // each serves four nodes; 0: not known
+    NodeMasses masses(context.model, *a.surface, near);
     std::optional<TimeStepRisk> worst;
-    for (const auto& [id, sum] : by_id) {
-        const auto at = std::lower_bound(near.node_id.begin(), near.node_id.end(), id);
-        if (at == near.node_id.end() || *at != id) continue;
-        const auto local = static_cast<uint32_t>(at - near.node_id.begin());
-        if (!near.is_complete(local)) continue;
+    auto at = near.node_id.begin();
+    for (auto share = shares.begin(); share != shares.end();) {
         TimeStepRisk one;
-        one.node = id;
-        one.normal = std::abs(sum.normal);
-        one.stick = sum.stick;
+        one.node = share->node;
+        for (; share != shares.end() && share->node == one.node; ++share) {
+            one.normal += share->normal;
+            one.stick += share->stick;
+        }
+        one.normal = std::abs(one.normal);
+        at = std::lower_bound(at, near.node_id.end(), one.node);
+        if (at == near.node_id.end()) break;
+        const auto local = static_cast<uint32_t>(at - near.node_id.begin());
+        if (*at != one.node || !near.is_complete(local)) continue;
         one.element_step = std::numeric_limits<double>::infinity();
         for (const uint32_t around : near.segments_around(local)) {
             std::optional<double>& step = steps[around];
@@ -78,7 +85,7 @@ std::optional<TimeStepRisk> time_step_risk(const RuleContext& context, const Bea
             if (*step == 0) return std::nullopt;
             one.element_step = std::min(one.element_step, *step);
         }
-        const auto mass = node_mass(context.model, *a.surface, near, local);
+        const auto mass = masses.of(local);
         if (!mass || !(*mass > 0)) return std::nullopt;
         one.mass = *mass;
         if (!worst || one.ratio() < worst->ratio()) worst = one;

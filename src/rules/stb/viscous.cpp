@@ -11,11 +11,10 @@ namespace drawbead {
 namespace {
 
 /// Mean mass of the four nodes of a segment, from the shells of the surface around them.
-std::optional<double> mean_mass(const Model& model, const Surface& surface, const NearMesh& near,
-                                uint32_t local) {
+std::optional<double> mean_mass(NodeMasses& masses, const SegmentNodes& nodes) {
     double sum = 0;
-    for (const uint32_t node : near.segment[local]) {
-        const auto mass = node_mass(model, surface, near, node);
+    for (const uint32_t node : nodes) {
+        const auto mass = masses.of(node);
         if (!mass) return std::nullopt;
         sum += *mass;
     }
@@ -50,11 +49,12 @@ std::optional<ViscousBead> viscous_bead(const RuleContext& context, const BeadAn
     const SurfaceStiffness* stiffness = known_stiffness(context, a);
     if (stiffness == nullptr) return std::nullopt;
     const NearMesh& near = context.analysis.surfaces[*a.bead->surface].near;
+    NodeMasses masses(context.model, *a.surface, near);
     ViscousBead bead;
     for (std::size_t i = 0; i < a.hit.size(); ++i) {
         if (!a.hit[i].closest.in_contact_range()) continue;
         const double k = (*stiffness)(a.hit[i].segment).k;
-        const auto mass = mean_mass(context.model, *a.surface, near, a.hit[i].closest.segment);
+        const auto mass = mean_mass(masses, near.segment[a.hit[i].closest.segment]);
         if (!mass || !(k > 0) || !(*mass > 0)) return std::nullopt;
         bead.node.push_back({std::sqrt(k * *mass), std::abs(a.ft[i]), a.line.tributary[i]});
     }
