@@ -12,14 +12,15 @@ void check(const RuleContext& context, FindingSink& sink) {
         Draft draft = draft_at(context, bead, cell);
         draft.help = "name a /SURF that holds the blank under the bead";
         const std::string id = std::to_string(bead.surface_id);
+        std::string lost = bead.surface_id != 0 ? lost_include_note(context.deck) : std::string();
         if (bead.surface) {
             const Surface& surface = context.model.surfaces()[*bead.surface];
             if (!surface.evaluated || !surface.segments.empty()) continue;
             draft.related.push_back(context.deck.blocks()[surface.block].header);
             draft.message =
                 "surface " + id + " of " + bead_name(bead) + " holds no segment: the Starter stops";
-            if (surface.type == "PART" || surface.type == "SUBSET" || surface.type == "MAT" ||
-                surface.type == "PROP")
+            if (lost.empty() && (surface.type == "PART" || surface.type == "SUBSET" ||
+                                 surface.type == "MAT" || surface.type == "PROP"))
                 draft.notes.push_back("/SURF/" + surface.type + " takes shells only; solids need /SURF/" +
                                       surface.type + "/EXT");
         } else if (bead.surface_id == 0) {
@@ -28,9 +29,7 @@ void check(const RuleContext& context, FindingSink& sink) {
         } else {
             draft.message = "surface " + id + " of " + bead_name(bead) + " is not defined: the Starter stops";
         }
-        if (bead.surface_id != 0)
-            if (std::string note = lost_include_note(context.deck); !note.empty())
-                draft.notes.push_back(std::move(note));
+        if (!lost.empty()) draft.notes.push_back(std::move(lost));
         sink.add(std::move(draft));
     }
 }
