@@ -333,11 +333,11 @@ Parser::Parser() {
                      ->add_option(
                          "NAME", schema_values_.name,
                          "report: what check --format json writes; lines: with --format jsonl, each\n"
-                         "line; accuracy, audit, evaluation, fix, plan, table: what these do;\n"
-                         "scene: what evaluate reads; config: .drawbead.yaml; baseline")
+                         "line; accuracy, audit, evaluation, fix, hard-cases, plan, table: what\n"
+                         "these do; scene: what evaluate reads; config: .drawbead.yaml; baseline")
                      ->required()
-                     ->type_name("")] = {"accuracy", "audit", "baseline", "config", "evaluation", "fix",
-                                         "lines",    "plan",  "report",   "scene",  "table"};
+                     ->type_name("")] = {"accuracy",   "audit", "baseline", "config", "evaluation", "fix",
+                                         "hard-cases", "lines", "plan",     "report", "scene",      "table"};
 
     completion_ = app_.add_subcommand("completion", "Print a completion script for a shell");
     suggestions_[completion_->add_option("SHELL", completion_values_.shell, "bash, zsh or fish")

@@ -1,10 +1,13 @@
 """`accuracy --hard-cases` from outside."""
 
+import json
 import pathlib
 import unittest
 
-from support import CommandLineTest
-from test_schema import loads
+import jsonschema
+
+from support import ROOT, CommandLineTest
+from test_schema import loads, strict
 
 
 class HardCases(CommandLineTest):
@@ -36,6 +39,17 @@ class HardCases(CommandLineTest):
             self.assertEqual(line.split()[:3], [case["name"], case["law"], case["number"]])
             self.assertTrue(line.endswith(case["invariant"]))
         self.assertIn(f"{len(cases)} cases: {verdicts.count('holds')} hold", lines[-1])
+
+    def test_schema(self):
+        schema = json.loads((ROOT / "schemas" / "hard-cases.schema.json").read_text())
+        jsonschema.Draft7Validator.check_schema(schema)
+        status, out, _ = self.run_tool("schema", "hard-cases")
+        self.assertEqual((status, json.loads(out)), (0, schema))
+        validator = jsonschema.Draft7Validator(strict(schema))
+        report = loads(self.run_tool("accuracy", "--hard-cases", "--format", "json")[1])
+        validator.validate(report)
+        report["cases"][0]["verdict"] = "perhaps"
+        self.assertFalse(validator.is_valid(report))
 
     def test_a_file_that_cannot_be_written(self):
         status, out, err = self.run_tool("accuracy", "--hard-cases", "-o", pathlib.Path("nowhere") / "cases.txt")
