@@ -106,8 +106,8 @@ class Completion(CommandLineTest):
         self.assertEqual(self.complete("check", "--select", "REF00")[:2], ["REF001", "REF002"])
         self.assertEqual(self.complete("explain", "REF001"), ["REF001"])
         self.assertEqual(self.complete("schema", ""),
-                         ["accuracy", "audit", "baseline", "config", "evaluation", "fix", "hard-cases", "lines", "plan", "report", "scene",
-                          "table"])
+                         ["accuracy", "audit", "baseline", "config", "evaluation", "fix", "hard-cases", "lines", "plan",
+                          "report", "scene", "table"])
         self.assertEqual(self.complete("completion", "f"), ["fish"])
 
     def test_others_name_every_option(self):
