@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 namespace drawbead {
 namespace {
@@ -90,6 +91,57 @@ struct Legs {
     }
 };
 
+/// One change of a tour: a stretch turned round, or one node moved.
+struct TourChange {
+    uint32_t first = 0, last = 0; ///< of the stretch; or from where and to where the node goes
+    bool turns = false;
+
+    template <class T>
+    void apply(std::vector<T>& tour) const {
+        const auto at = [&](uint32_t i) { return tour.begin() + i; };
+        if (turns)
+            std::reverse(at(first), at(last) + 1);
+        else if (first < last)
+            std::rotate(at(first), at(first) + 1, at(last) + 1);
+        else
+            std::rotate(at(last), at(first), at(first) + 1);
+    }
+};
+
+/// A change that makes the tour shorter by more than `worth`, among those that bring a node to one of its six
+/// closest.
+std::optional<TourChange> shorter(const std::vector<Vec3>& at, double worth) {
+    constexpr uint32_t candidates = 6;
+    const auto last = static_cast<uint32_t>(at.size() - 1);
+    const PointTree points(at);
+    std::array<PointTree::Near, candidates> near;
+    const auto hop = [&](uint32_t i, uint32_t j) {
+        return i == none || j == none ? 0 : distance(at[i], at[j]);
+    };
+    const auto before = [](uint32_t i) { return i > 0 ? i - 1 : none; };
+    const auto after = [&](uint32_t i) { return i < last ? i + 1 : none; };
+    for (uint32_t i = 0; i <= last; ++i) {
+        const uint32_t found = points.nearest(i, candidates, near.data());
+        const double leaving = hop(before(i), i) + hop(i, after(i)) - hop(before(i), after(i));
+        for (uint32_t k = 0; k < found; ++k) {
+            const uint32_t j = near[k].index;
+            const double direct = hop(i, j);
+            const uint32_t low = std::min(i, j), high = std::max(i, j);
+            if (hop(i, after(i)) + hop(j, after(j)) - direct - hop(after(i), after(j)) > worth)
+                return TourChange{low + 1, high, true};
+            if (hop(before(i), i) + hop(before(j), j) - direct - hop(before(i), before(j)) > worth)
+                return TourChange{low, high - 1, true};
+            if (j != after(i) && before(j) != i &&
+                leaving - (direct + hop(i, before(j)) - hop(before(j), j)) > worth)
+                return TourChange{i, i < j ? j - 1 : j, false};
+            if (j != before(i) && after(j) != i &&
+                leaving - (direct + hop(i, after(j)) - hop(j, after(j))) > worth)
+                return TourChange{i, i < j ? j : j + 1, false};
+        }
+    }
+    return std::nullopt;
+}
+
 /// Different places in list order, joined by their spanning tree. Place numbers ascend along the list.
 class Places {
 public:
@@ -144,6 +196,8 @@ public:
     bool followed_by_list() const;
     bool is_orderly() const;
     bool is_improvable() const;
+    /// Makes a walk in one piece shorter by single changes, as long as there is one.
+    void improve(LineWalk&) const;
     /// Few places, whose walk is beyond doubt and without corners? A list that goes out and back on it is
     /// then taken for disorder, as chance makes such lists; many places do not fall into two legs by chance.
     bool are_few_and_smooth() const;
@@ -162,6 +216,7 @@ private:
     uint32_t parts_ = 0;
     double step_ = 0;
 
+    double least_gain() const { return 0.05 * step_; }
     uint32_t other_end(uint32_t edge, uint32_t i) const { return tree_[edge].a + tree_[edge].b - i; }
     void cut_at_gaps();
     void walk_part(uint32_t from, std::vector<uint32_t>& below, std::vector<uint32_t>& order) const;
@@ -275,39 +330,25 @@ bool Places::is_orderly() const {
     return true;
 }
 
-// Is there a shorter tour that differs by turning one stretch of the list round, or by moving one node?
 bool Places::is_improvable() const {
-    constexpr uint32_t candidates = 6;
-    const double worth = 0.05 * step_;
-    const uint32_t last = size() - 1;
-    const PointTree points(at_);
-    std::array<PointTree::Near, candidates> near;
-    const auto hop_or_end = [&](uint32_t i, uint32_t j) { return i == none || j == none ? 0 : hop(i, j); };
-    const auto before = [](uint32_t i) { return i > 0 ? i - 1 : none; };
-    const auto after = [&](uint32_t i) { return i < last ? i + 1 : none; };
-    for (uint32_t i = 0; i <= last; ++i) {
-        const uint32_t found = points.nearest(i, candidates, near.data());
-        const double leaving =
-            hop_or_end(before(i), i) + hop_or_end(i, after(i)) - hop_or_end(before(i), after(i));
-        for (uint32_t k = 0; k < found; ++k) {
-            const uint32_t j = near[k].index;
-            const double direct = hop(i, j);
-            const double forward =
-                hop_or_end(i, after(i)) + hop_or_end(j, after(j)) - direct - hop_or_end(after(i), after(j));
-            const double backward = hop_or_end(before(i), i) + hop_or_end(before(j), j) - direct -
-                                    hop_or_end(before(i), before(j));
-            if (forward > worth || backward > worth) return true;
-            if (j != after(i) &&
-                leaving - (direct + hop_or_end(i, before(j)) - hop_or_end(before(j), j)) > worth &&
-                before(j) != i)
-                return true;
-            if (j != before(i) &&
-                leaving - (direct + hop_or_end(i, after(j)) - hop_or_end(j, after(j))) > worth &&
-                after(j) != i)
-                return true;
-        }
+    return shorter(at_, least_gain()).has_value();
+}
+
+void Places::improve(LineWalk& walk) const {
+    std::vector<Vec3> at;
+    for (const uint32_t i : walk.order)
+        at.push_back(at_[i]);
+    constexpr int most = 100; // each is worth a part of a step; what is left of a wild list is a guess anyway
+    for (int k = 0; k < most; ++k) {
+        const auto change = shorter(at, least_gain());
+        if (!change) break;
+        change->apply(at);
+        change->apply(walk.order);
     }
-    return false;
+    walk.length = 0;
+    for (std::size_t k = 1; k < at.size(); ++k)
+        walk.length += distance(at[k - 1], at[k]);
+    walk.unambiguous = false;
 }
 
 bool Places::are_few_and_smooth() const {
@@ -588,7 +629,14 @@ LineCheck check_line(std::span<const Vec3> x, std::span<const uint32_t> node,
     if (!follows && (places.are_few_and_smooth() || !places.is_orderly())) {
         check.walk = places.walk();
         check.walk.branches = places.branches();
-        check.scrambled = check.walk.branches.empty() && (places.is_improvable() || check.walk.unambiguous);
+        const auto is_list = [&] {
+            return std::is_sorted(check.walk.order.begin(), check.walk.order.end()) ||
+                   std::is_sorted(check.walk.order.rbegin(), check.walk.order.rend());
+        };
+        const bool improvable = places.is_improvable();
+        // At a fork the tree may lead as the list does, although a shorter walk is near.
+        if (improvable && is_list() && check.walk.pieces.size() == 1) places.improve(check.walk);
+        check.scrambled = check.walk.branches.empty() && (improvable || check.walk.unambiguous) && !is_list();
         for (uint32_t& p : check.walk.branches)
             p = list[p];
         if (check.scrambled || !check.walk.branches.empty()) {
