@@ -97,7 +97,13 @@ void measure_force(const RuleContext& context, const Drawbead& bead, std::string
         {std::move(name), force_per_length * length, unit_name(context.deck.work_units(), force_dimension)});
 }
 
-std::string lost_include_note(const Deck& deck) {
+double in_units_of_block(const RuleContext& context, const Drawbead& bead, double force_per_length) {
+    const Block& block = context.deck.blocks()[bead.block];
+    return force_per_length /
+           context.deck.factor(block.scope, block.unit, force_per_length_dimension).value_or(1);
+}
+
+std::string lost_include_note(const Deck& deck, std::string_view what) {
     for (const Notice& notice : deck.notices())
         switch (notice.kind) {
         case Notice::Kind::include_missing:
@@ -105,11 +111,16 @@ std::string lost_include_note(const Deck& deck) {
         case Notice::Kind::include_cycle:
         case Notice::Kind::include_too_deep:
         case Notice::Kind::include_outside_root:
-            return "an include could not be read; it may be defined there";
+            return "an include could not be read; " + std::string(what) + " may be defined there";
         default:
             break;
         }
     return "";
+}
+
+void note_lost_include(const RuleContext& context, std::string_view what, Draft& draft) {
+    if (std::string note = lost_include_note(context.deck, what); !note.empty())
+        draft.notes.push_back(std::move(note));
 }
 
 const Block* BlockFinder::at(const Span& place) {

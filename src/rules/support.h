@@ -49,9 +49,14 @@ std::string force_over_line(const RuleContext&, const Drawbead&, double force_pe
 /// Adds a force over the whole line as a measure in N-like units; nothing when the length is not known.
 void measure_force(const RuleContext&, const Drawbead&, std::string name, double force_per_length, Draft&);
 
+/// A force per length of the model as the cards of the interface would have it.
+double in_units_of_block(const RuleContext&, const Drawbead&, double force_per_length);
+
 /// A sentence for findings about things that may stand in an include that could not be read; empty when all
 /// could.
-std::string lost_include_note(const Deck&);
+std::string lost_include_note(const Deck&, std::string_view what = "it");
+/// The same, added to the notes of a finding.
+void note_lost_include(const RuleContext&, std::string_view what, Draft&);
 
 /// Finds the block that holds a place, by a binary search; sorts the blocks at the first question.
 class BlockFinder {

@@ -30,6 +30,7 @@ void check(const RuleContext& context, FindingSink& sink) {
                        (loose.size() == 1 ? " is not" : " are not")) +
             " held or moved by a rigid body, a boundary condition or an imposed motion (" + listed(ids) +
             "); the reaction of the blank throws them away";
+        note_lost_include(context, "what holds them", draft);
         draft.help = "add the nodes to the rigid body of their tool";
         sink.add(std::move(draft));
     }

@@ -22,8 +22,8 @@ void check(const RuleContext& context, FindingSink& sink) {
         draft.message =
             "reversed segments under " + counted(count, "node") + " of " + bead_name(*a->bead) +
             ": by the manual normals must look at the bead; the solver runs, with all of the force "
-            "at any distance and Fn pulling: " +
-            force_text(context, *a, fn, ft);
+            "at any distance" +
+            (a->bead->fn_first != 0 ? " and Fn pulling: " : ": ") + force_text(context, *a, fn, ft);
         measure_cost(context, *a, fn, ft, draft);
         sink.add(std::move(draft));
     }

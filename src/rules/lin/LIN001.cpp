@@ -42,7 +42,7 @@ void check(const RuleContext& context, FindingSink& sink) {
         measure_cost(context, *a, fn, ft, draft);
         draft.help = "give each of the " + std::to_string(gaps.size() + 1) +
                      " pieces an interface and a group of its own";
-        if (pieces_are_lines(*a, list_pieces(*a)))
+        if (list_is_whole(*a) && pieces_are_lines(*a, list_pieces(*a)))
             draft.fixes.push_back(
                 {title, limits_are_constant(*a->bead) ? FixAvailability::safe : FixAvailability::unsafe});
         sink.add(std::move(draft));
@@ -52,10 +52,11 @@ void check(const RuleContext& context, FindingSink& sink) {
 std::optional<Fix> fix(const RuleContext& context, const Draft& draft, FixPlanner& planner) {
     const BeadAnalysis* a = analysed_bead(context, draft);
     if (!a) return planner.decline("the interface has no list of nodes");
+    if (!list_is_whole(*a)) return planner.decline(missing_nodes_first);
     const std::vector<std::vector<uint32_t>> pieces = list_pieces(*a);
     if (!pieces_are_lines(*a, pieces)) return planner.decline("a piece of one node is no line");
     Fix fix{title, limits_are_constant(*a->bead) ? FixAvailability::safe : FixAvailability::unsafe, {}};
-    fix.uncovers = {"LIN"};
+    fix.uncovers = hidden_by_list();
     if (!split_bead(context, *a, pieces, present_limits(*a, pieces), planner, fix)) return std::nullopt;
     return fix;
 }

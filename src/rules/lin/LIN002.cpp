@@ -60,8 +60,9 @@ void check(const RuleContext& context, FindingSink& sink) {
             order += (i == 0 ? "" : " ") + std::to_string(node_id(context, *a, walk.order[i]));
         if (walk.order.size() > 8) order += " and on";
         draft.help = "list the nodes as they stand along the bead: " + order;
-        draft.fixes.push_back(
-            {title, walk_is_safe(a->check, *a->bead) ? FixAvailability::safe : FixAvailability::unsafe});
+        if (list_is_whole(*a))
+            draft.fixes.push_back(
+                {title, walk_is_safe(a->check, *a->bead) ? FixAvailability::safe : FixAvailability::unsafe});
         sink.add(std::move(draft));
     }
 }
@@ -69,8 +70,9 @@ void check(const RuleContext& context, FindingSink& sink) {
 std::optional<Fix> fix(const RuleContext& context, const Draft& draft, FixPlanner& planner) {
     const BeadAnalysis* a = analysed_bead(context, draft);
     if (!a || !a->check.scrambled) return planner.decline("the interface has no list of nodes");
+    if (!list_is_whole(*a)) return planner.decline(missing_nodes_first);
     Fix fix{title, walk_is_safe(a->check, *a->bead) ? FixAvailability::safe : FixAvailability::unsafe, {}};
-    fix.uncovers = {"LIN"}; // hops and turns of a wrong walk mean nothing
+    fix.uncovers = hidden_by_list(); // hops and turns of a wrong walk mean nothing
     if (!set_list(context, *a, whole_walk(a->check), planner, fix)) return std::nullopt;
     return fix;
 }

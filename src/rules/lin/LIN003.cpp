@@ -112,7 +112,7 @@ std::optional<Fix> fix(const RuleContext& context, const Draft& draft, FixPlanne
     if (kept.size() == a->x.size()) return planner.decline("no entry is to be dropped");
     Fix fix{coincident ? drop_coincident : drop_repeated, FixAvailability::safe, {}};
     if (!a->order_is_the_authors) return planner.decline("the order of the list comes first");
-    fix.uncovers = {"LIN"};
+    fix.uncovers = hidden_by_list();
     if (!set_list(context, *a, kept, planner, fix)) return std::nullopt;
     return fix;
 }

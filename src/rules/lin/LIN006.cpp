@@ -16,7 +16,7 @@ constexpr const char* title = "a new node at the place of the first one";
 
 void check(const RuleContext& context, FindingSink& sink) {
     for (const BeadAnalysis* a : beads_with_order(context)) {
-        if (!a->check.loop_open) continue;
+        if (!a->check.loop_open || a->check.closed_by_repeat) continue; // of the latter LIN003 speaks first
         const LineHop& closing = a->check.closing;
         const std::size_t last = a->x.size() - 1;
         const double fn = -(a->fn.front() + a->fn[last]) / 2 * closing.length;

@@ -24,7 +24,7 @@ void check(const RuleContext& context, FindingSink& sink) {
         const double fn_jump = b.fn_first != 0 && b.fn_varies() ? b.fn_first - b.fn_last : 0;
         const double ft_jump = b.ft_varies() ? b.ft_first - b.ft_last : 0;
         if (fn_jump == 0 && ft_jump == 0) continue;
-        const std::size_t last = a->x.size() - 1;
+        const std::size_t last = list.loop_open ? list.closing.from : a->x.size() - 1;
         const double seam = list.loop_open ? list.closing.length : list.median_hop;
         const UnitSystem& units = context.deck.work_units();
         const std::vector<Span> places = list_places(context, *a);

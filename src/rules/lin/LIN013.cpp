@@ -28,19 +28,23 @@ void check(const RuleContext& context, FindingSink& sink) {
     // So that the same pair is told alike whatever the order of the blocks.
     std::stable_sort(beads.begin(), beads.end(),
                      [](const auto* p, const auto* q) { return p->bead->id < q->bead->id; });
-    // The first bead of each node, and for each pair of beads the positions in the second one's list.
-    std::map<NodeRow, std::size_t> first_bead;
+    // The beads of each node, and for each pair of beads the positions in the second one's list.
+    std::map<NodeRow, std::vector<std::size_t>> beads_of;
     std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>> shared;
     for (std::size_t k = 0; k < beads.size(); ++k)
         for (std::size_t i = 0; i < beads[k]->x.size(); ++i) {
-            const auto [at, is_new] = first_bead.try_emplace(beads[k]->group->nodes[i], k);
-            if (is_new || at->second == k) continue;
-            // Beads that meet at their ends have half a step there each.
-            const std::vector<NodeRow>& other = beads[at->second]->group->nodes;
             const NodeRow node = beads[k]->group->nodes[i];
-            if ((i == 0 || i + 1 == beads[k]->x.size()) && (node == other.front() || node == other.back()))
-                continue;
-            shared[{at->second, k}].push_back(i);
+            std::vector<std::size_t>& before = beads_of[node];
+            for (const std::size_t one : before) {
+                if (one == k) continue;
+                // Beads that meet at their ends have half a step there each.
+                const std::vector<NodeRow>& other = beads[one]->group->nodes;
+                if ((i == 0 || i + 1 == beads[k]->x.size()) &&
+                    (node == other.front() || node == other.back()))
+                    continue;
+                shared[{one, k}].push_back(i);
+            }
+            if (before.empty() || before.back() != k) before.push_back(k);
         }
     for (const auto& [pair, positions] : shared) {
         const BeadAnalysis &a = *beads[pair.first], &b = *beads[pair.second];

@@ -210,6 +210,15 @@ std::vector<uint32_t> whole_walk(const LineCheck& check) {
     return order;
 }
 
+std::vector<std::string_view> hidden_by_list() {
+    return {"LIN", "KIN", "STB", "ENG"};
+}
+
+bool list_is_whole(const BeadAnalysis& a) {
+    return std::none_of(a.group->listed.begin(), a.group->listed.end(),
+                        [](const ListedNode& node) { return node.row == no_node && node.written != 0; });
+}
+
 bool walk_is_safe(const LineCheck& check, const Drawbead& bead) {
     const LineWalk& walk = check.walk;
     if (!walk.unambiguous || walk.closed || walk.order.empty()) return false;

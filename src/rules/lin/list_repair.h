@@ -26,6 +26,15 @@ std::vector<uint32_t> whole_walk(const LineCheck& check);
 /// the first one, or the first node of the list is an end of a line in one piece.
 bool walk_is_safe(const LineCheck& check, const Drawbead&);
 
+/// Whether every id in the bead's list is a node: the hop over one that is not is no gap, and no step of the
+/// line that was meant.
+bool list_is_whole(const BeadAnalysis&);
+inline constexpr const char* missing_nodes_first =
+    "the list names nodes that do not exist: what is meant in their place comes first";
+
+/// Rules that keep quiet, or look at something else, while a list is not the line that was meant.
+std::vector<std::string_view> hidden_by_list();
+
 /// A list for a group that the solver sorts: positions in NodeGroup::nodes.
 struct SortedOrder {
     std::vector<uint32_t> order; ///< empty where no order can be found

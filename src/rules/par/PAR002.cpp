@@ -28,7 +28,8 @@ void check(const RuleContext& context, FindingSink& sink) {
     for (const Drawbead& bead : context.model.drawbeads()) {
         if (!cards_usable(context, bead)) continue;
         report(context, bead, cells_of(bead).fn, "Fn", bead.fn_first, sink);
-        report(context, bead, cells_of(bead).fn_last, "Fn_last", bead.fn_last, sink);
+        // Without an Fn there is no normal force along the bead, of which PAR006 speaks.
+        if (bead.fn_first != 0) report(context, bead, cells_of(bead).fn_last, "Fn_last", bead.fn_last, sink);
     }
 }
 

@@ -21,8 +21,9 @@ void report(const RuleContext& context, const Drawbead& bead, const char* name, 
         draft.notes.push_back("a taper to 0 would have been " + force + " less, 50 % of the bead");
         measure_force(context, bead, "difference from a taper", first / 2, draft);
     }
-    draft.help = "for a taper write a small number, for instance " + number(first * 1e-6) +
-                 "; for a constant " + name + " write " + number(first) + " at both ends";
+    const auto as_written = [&](double value) { return number(in_units_of_block(context, bead, value)); };
+    draft.help = "for a taper write a small number, for instance " + as_written(first * 1e-6) +
+                 "; for a constant " + name + " write " + as_written(first) + " at both ends";
     sink.add(std::move(draft));
 }
 

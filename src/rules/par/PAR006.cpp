@@ -34,7 +34,8 @@ void check(const RuleContext& context, FindingSink& sink) {
         measure_force(context, bead, "normal force lost", bead.fn_last / 2, draft);
         if (has_order(context, bead)) draft.fixes.push_back({title, FixAvailability::unsafe});
         draft.help =
-            "give a small Fn at the first node, for instance " + number(bead.fn_last * 1e-6) +
+            "give a small Fn at the first node, for instance " +
+            number(in_units_of_block(context, bead, bead.fn_last * 1e-6)) +
             ", or list the nodes from the other end; the slope of the ramp is Fn/DEPTH of the first node";
         sink.add(std::move(draft));
     }
@@ -47,6 +48,7 @@ std::optional<Fix> fix(const RuleContext& context, const Draft& draft, FixPlanne
     const Block& block = context.deck.blocks()[bead.block];
     const DrawbeadCells cells = cells_of(bead);
     Fix fix{title, FixAvailability::unsafe, {}};
+    fix.uncovers = {"PAR002"}; // a negative limit does nothing as long as there is no normal force
     std::vector<uint32_t> order;
     for (auto i = static_cast<uint32_t>(a->group->nodes.size()); i-- > 0;)
         order.push_back(i);

@@ -30,12 +30,15 @@ std::vector<Limit> limits_of(const Drawbead& b) {
             {"Ft_last", b.ft_last, b.ft_first, &c.ft_last}};
 }
 
-/// Median of |value| over the other beads of the deck that have one; 0 when there are none.
+/// Median over the other beads of the deck of the larger of a limit's two ends; 0 when there are none.
 double usual(const std::vector<const BeadAnalysis*>& beads, const BeadAnalysis* without, bool normal) {
     std::vector<double> values;
-    for (const BeadAnalysis* a : beads)
-        if (const double v = std::abs(normal ? a->bead->fn_first : a->bead->ft_first); a != without && v != 0)
-            values.push_back(v);
+    for (const BeadAnalysis* a : beads) {
+        const Drawbead& b = *a->bead;
+        const double v = normal ? std::max(std::abs(b.fn_first), std::abs(b.fn_last))
+                                : std::max(std::abs(b.ft_first), std::abs(b.ft_last));
+        if (a != without && v != 0) values.push_back(v);
+    }
     if (values.empty()) return 0;
     std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
                      values.end());

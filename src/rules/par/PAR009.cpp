@@ -28,6 +28,7 @@ void check(const RuleContext& context, FindingSink& sink) {
         draft.message = bead_name(bead) + " names unit system " + std::to_string(unit) +
                         ", which no /UNIT defines: the Starter stops";
         draft.notes.push_back("its values are shown as if they were in work units");
+        note_lost_include(context, "the unit", draft);
         draft.help = "define /UNIT/" + std::to_string(unit) + ", or take the unit id off the header";
         sink.add(std::move(draft));
     }
@@ -42,6 +43,7 @@ void check(const RuleContext& context, FindingSink& sink) {
         if (context.model.drawbeads().empty()) draft.severity = Severity::warning;
         draft.message = (block ? header_name(*block) : issue.detail) + " names unit system " + issue.subject +
                         ", which no /UNIT defines: the Starter stops";
+        note_lost_include(context, "the unit", draft);
         draft.help = "define /UNIT/" + issue.subject + ", or take the unit id off the header";
         sink.add(std::move(draft));
     }

@@ -16,8 +16,7 @@ void check(const RuleContext& context, FindingSink& sink) {
         } else {
             draft.message = "node group " + std::to_string(bead.group_id) + " of " + bead_name(bead) +
                             " is not defined: the Starter stops";
-            if (std::string note = lost_include_note(context.deck); !note.empty())
-                draft.notes.push_back(std::move(note));
+            note_lost_include(context, "it", draft);
         }
         draft.help = "name a /GRNOD/NODENS that lists the nodes along the bead";
         sink.add(std::move(draft));

@@ -35,7 +35,7 @@ std::optional<Fix> fix(const RuleContext& context, const Draft& draft, FixPlanne
     const SortedOrder sorted = a ? order_of_sorted(*a) : SortedOrder{};
     if (sorted.order.empty()) return planner.decline("the nodes do not lie along one line");
     Fix fix{title, sorted.safe ? FixAvailability::safe : FixAvailability::unsafe, {}};
-    fix.uncovers = {"LIN"}; // rules about lists keep quiet where the order is not the author's
+    fix.uncovers = hidden_by_list(); // rules about lists keep quiet where the order is not the author's
     if (!make_ordered(context, *a, sorted, planner, fix)) return std::nullopt;
     return fix;
 }

@@ -79,7 +79,7 @@ std::optional<Fix> fix(const RuleContext& context, const Draft& draft, FixPlanne
     IssueLog unreported;
     const std::vector<SetClause> clauses = read_set(deck, planner.options(), group.block, unreported);
     Fix fix{title, FixAvailability::safe, {{a->bead->id, 0, 0}}};
-    fix.uncovers = {"LIN"}; // rules about lists keep quiet where the order is not the author's
+    fix.uncovers = hidden_by_list(); // rules about lists keep quiet where the order is not the author's
     if (are_one_run(deck, clauses, block)) {
         bool first = true;
         for (const SetClause& clause : clauses) {

@@ -36,7 +36,8 @@ void check(const RuleContext& context, FindingSink& sink) {
         draft.message = "node group " + std::to_string(group.id) + " of " + bead_name(bead) +
                         " is empty: the bead has no nodes and does nothing";
         draft.help = "list the nodes along the bead, or remove the interface";
-        draft.fixes.push_back({title, FixAvailability::unsafe});
+        note_lost_include(context, "what the group holds", draft);
+        if (draft.notes.empty()) draft.fixes.push_back({title, FixAvailability::unsafe});
         sink.add(std::move(draft));
     }
 }
@@ -59,6 +60,8 @@ std::optional<Fix> fix(const RuleContext& context, const Draft& draft, FixPlanne
     const Deck& deck = context.deck;
     const Drawbead* bead = drawbead_of(context, draft);
     if (!bead) return planner.decline("the interface is not known");
+    if (draft.discriminator == "no nodes" && !lost_include_note(deck).empty())
+        return planner.decline("an include could not be read: its nodes may stand there");
     for (BlockIndex i = 0; i < deck.blocks().size(); ++i) {
         const Block& block = deck.blocks()[i];
         const int64_t offset = deck.scope(block.scope).offsets.general;

@@ -22,7 +22,7 @@ void check(const RuleContext& context, FindingSink& sink) {
             draft.entities.nodes.add(id);
         draft.message = counted(ids.size(), "negative id") + " in node group " + std::to_string(group.id) +
                         " (" + listed(ids) + "): the solver leaves " + (ids.size() == 1 ? "it" : "them") +
-                        " out without a message";
+                        (group.type == "SET" ? " out (warning 1902)" : " out without a message");
         draft.notes.push_back("the hop over a node that is left out counts as bead length");
         draft.help = "write the id without its sign, or take it out";
         sink.add(std::move(draft));

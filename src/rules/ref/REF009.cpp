@@ -61,8 +61,7 @@ void check(const RuleContext& context, FindingSink& sink) {
             draft.discriminator += ' ' + subject;
         draft.message = std::move(found.message);
         if (found.count > 1) draft.message += " (first of " + std::to_string(found.count) + ")";
-        if (std::string note = lost_include_note(context.deck); !note.empty())
-            draft.notes.push_back(std::move(note));
+        note_lost_include(context, "it", draft);
         draft.help = "define it, or correct the id";
         sink.add(std::move(draft));
     }

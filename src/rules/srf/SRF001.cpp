@@ -20,7 +20,7 @@ struct Away {
 
 /// Segments under bead nodes first, those nearest to the bead first among them; then by distance from the
 /// line.
-std::vector<Away> segments_away(const BeadAnalysis& a, const NearMesh& near) {
+std::vector<Away> segments_away(const Model& model, const BeadAnalysis& a, const NearMesh& near) {
     std::vector<double> d(near.segment.size(), -std::numeric_limits<double>::infinity());
     for (std::size_t i = 0; i < a.hit.size(); ++i)
         if (a.side.node[i] == Facing::away) {
@@ -32,11 +32,14 @@ std::vector<Away> segments_away(const BeadAnalysis& a, const NearMesh& near) {
         if (z.facing == Facing::away)
             away.push_back(
                 {near.segment_index[z.segment], z.start, z.distance, z.start ? d[z.segment] : z.d});
-    std::sort(away.begin(), away.end(), [](const Away& p, const Away& q) {
+    const auto id = [&](const Away& one) { // does not depend on the order in the deck
+        return value(model.element_id(a.surface->segments[one.segment]));
+    };
+    std::sort(away.begin(), away.end(), [&](const Away& p, const Away& q) {
         if (p.start != q.start) return p.start;
         if (p.start && p.d != q.d) return p.d > q.d;
         if (p.from_line != q.from_line) return p.from_line < q.from_line;
-        return p.segment < q.segment;
+        return std::pair(id(p), p.segment) < std::pair(id(q), q.segment);
     });
     return away;
 }
@@ -66,7 +69,8 @@ void check(const RuleContext& context, FindingSink& sink) {
     for (const BeadAnalysis* a : beads_with_nodes(context)) {
         if (a->side.zone.empty()) continue;
         const Surface& surface = *a->surface;
-        const std::vector<Away> away = segments_away(*a, context.analysis.surfaces[*a->bead->surface].near);
+        const std::vector<Away> away =
+            segments_away(context.model, *a, context.analysis.surfaces[*a->bead->surface].near);
         if (away.empty()) continue;
 
         Draft draft;

@@ -10,8 +10,9 @@ namespace drawbead {
 namespace {
 
 /// Segments that clash with a neighbour, those with most clashing edges first: a single turned one clashes
-/// with all of its neighbours, each of these only with it.
-std::vector<std::pair<uint32_t, uint32_t>> clashing_segments(const EdgeClashes& clashes) {
+/// with all of its neighbours, each of these only with it. Then by element, whatever their order in the deck.
+std::vector<std::pair<uint32_t, uint32_t>> clashing_segments(const Model& model, const Surface& surface,
+                                                             const EdgeClashes& clashes) {
     std::vector<uint32_t> all;
     all.reserve(clashes.edges.size() * 2);
     for (const EdgeClash& edge : clashes.edges)
@@ -22,8 +23,11 @@ std::vector<std::pair<uint32_t, uint32_t>> clashing_segments(const EdgeClashes& 
         if (counted.empty() || counted.back().second != segment) counted.emplace_back(0, segment);
         ++counted.back().first;
     }
-    std::stable_sort(counted.begin(), counted.end(),
-                     [](const auto& p, const auto& q) { return p.first > q.first; });
+    const auto id = [&](uint32_t segment) { return value(model.element_id(surface.segments[segment])); };
+    std::sort(counted.begin(), counted.end(), [&](const auto& p, const auto& q) {
+        if (p.first != q.first) return p.first > q.first;
+        return std::pair(id(p.second), p.second) < std::pair(id(q.second), q.second);
+    });
     return counted;
 }
 
@@ -51,7 +55,7 @@ void check(const RuleContext& context, FindingSink& sink) {
         if (users.size() == 1) draft.interface_id = users.front();
         draft.surface_id = surface.id;
         draft.discriminator = "surface " + std::to_string(surface.id);
-        const auto segments = clashing_segments(clashes);
+        const auto segments = clashing_segments(context.model, surface, clashes);
         draft.primary = segment_place(context, surface, segments.front().second);
         for (std::size_t i = 0; i < segments.size(); ++i) {
             if (i != 0 && i < most_places)

@@ -41,25 +41,30 @@ void check(const RuleContext& context, FindingSink& sink) {
             if (a->surface == &surface) beads.push_back({a, side_of(*a)});
         const std::vector<int64_t> good = ids_of(beads, Facing::toward), bad = ids_of(beads, Facing::away);
         if (good.empty() || bad.empty()) continue;
-        const OneSided& first = *std::find_if(beads.begin(), beads.end(),
-                                              [](const OneSided& b) { return b.facing == Facing::away; });
-        double fn = 0, total = 0;
+        const auto is_bad = [](const OneSided& b) { return b.facing == Facing::away; };
+        const bool pulls = std::any_of(beads.begin(), beads.end(), [&](const OneSided& b) {
+            return is_bad(b) && b.bead->bead->fn_first != 0;
+        });
+        double force = 0, total = 0;
         for (const OneSided& b : beads)
-            if (b.facing == Facing::away) {
-                fn += b.bead->fn_total;
-                total += std::abs(b.bead->fn_total);
+            if (is_bad(b)) {
+                const double one = pulls ? b.bead->fn_total : b.bead->ft_total;
+                force += one;
+                total += std::abs(one);
             }
+        const OneSided& first = *std::find_if(beads.begin(), beads.end(), is_bad);
         Draft draft = draft_at(context, *first.bead->bead, cells_of(*first.bead->bead).surface);
         draft.surface_id = surface.id;
         draft.discriminator = "surface " + std::to_string(surface.id);
         draft.message = "surface " + std::to_string(surface.id) +
                         " serves beads on both of its sides: it faces bead " + listed(good) +
-                        " and looks away from bead " + listed(bad) + ", whose Fn pulls the blank: +" +
-                        quantity(fn, context.deck.work_units(), force_dimension) + ", " +
-                        number(total != 0 ? 100 * fn / total : 0, 3) + " % of its total";
+                        " and looks away from bead " + listed(bad) + ", whose " +
+                        (pulls ? "Fn pulls the blank: +" : "full Ft acts at any distance: +") +
+                        quantity(force, context.deck.work_units(), force_dimension) + ", " +
+                        number(total != 0 ? 100 * force / total : 0, 3) + " % of its total";
         draft.related.push_back(context.deck.blocks()[surface.block].header);
-        draft.measured.push_back(
-            {"normal force on the wrong side", fn, unit_name(context.deck.work_units(), force_dimension)});
+        draft.measured.push_back({pulls ? "normal force on the wrong side" : "restraint at any distance",
+                                  force, unit_name(context.deck.work_units(), force_dimension)});
         draft.help = "let bead " + listed(bad) + " use a second surface of the same elements, reversed";
         if (offers_surface_fix(surface))
             draft.fixes.push_back({"a second, reversed surface", FixAvailability::safe});

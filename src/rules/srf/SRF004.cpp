@@ -42,6 +42,7 @@ void check(const RuleContext& context, FindingSink& sink) {
                         "); if the segments look away, " + force_text(context, *a, fn, ft) +
                         ", acts at any distance and to the wrong side";
         measure_cost(context, *a, fn, ft, draft);
+        if (beside > 0) note_lost_include(context, "more of the surface", draft);
         draft.help = "place the bead clearly on the tool's side of the blank";
         sink.add(std::move(draft));
     }

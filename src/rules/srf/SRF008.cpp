@@ -58,6 +58,7 @@ void check(const RuleContext& context, FindingSink& sink) {
                 "without stiffness in the surface the check of the normal force against the "
                 "stiffness of the blank (message 1040) is off");
         measure_cost(context, *a, 0, ft, draft);
+        if (!element) note_lost_include(context, "the elements", draft);
         draft.help = "use segments of the blank's own elements";
         sink.add(std::move(draft));
     }

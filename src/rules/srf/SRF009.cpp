@@ -51,6 +51,7 @@ void check(const RuleContext& context, FindingSink& sink) {
                 "without DEPTH the normal force acts beside the surface, too, on its rim");
         draft.measured.push_back({"covered length", share, "%"});
         measure_cost(context, *a, fn, ft, draft);
+        note_lost_include(context, "more of the surface", draft);
         draft.help = "end the bead where the blank ends, or choose the surface that lies under it";
         sink.add(std::move(draft));
     }

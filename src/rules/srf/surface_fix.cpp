@@ -29,7 +29,10 @@ std::optional<Fix> fix_surface(const RuleContext& context, const Draft& draft, F
         for (const BeadAnalysis& a : context.analysis.beads)
             if (a.bead->surface == s)
                 votes.push_back(votes_of(context, a, context.analysis.surfaces[s].near));
-        return repair_surface(context.model, s, votes, planner);
+        std::optional<Fix> fix = repair_surface(context.model, s, votes, planner);
+        // A bead on the wrong side never touches, holds nothing and is not told about what it does then.
+        if (fix) fix->uncovers = {"KIN", "STB", "ENG"};
+        return fix;
     }
     return planner.decline("the surface is not there");
 }

@@ -30,6 +30,8 @@ std::string explain(const RuleContext& context, const Fault& fault) {
         return "the comma in " + text + " separates fields instead of decimals";
     case ColumnFault::Kind::over_width:
         return text + " stands behind column " + std::to_string(card_width) + ", and is not read";
+    case ColumnFault::Kind::too_many:
+        return text + " stands behind the last field of a line in free format, and is not read";
     }
     return {};
 }
@@ -44,6 +46,7 @@ const char* remedy(ColumnFault::Kind kind) {
     case ColumnFault::Kind::decimal_comma:
         return "write a decimal point";
     case ColumnFault::Kind::over_width:
+    case ColumnFault::Kind::too_many:
         return "continue on the next line";
     }
     return "";

@@ -22,7 +22,8 @@ void check(const RuleContext& context, FindingSink& sink) {
         set_places(draft, places);
         draft.discriminator = std::to_string(group.id);
         draft.message = "the list of node group " + std::to_string(group.id) + " holds " +
-                        counted(places.size(), "zero") + ", which the solver skips";
+                        counted(places.size(), "zero") + ", which the solver skips" +
+                        (group.type == "SET" ? " (warning 1902)" : "");
         draft.help = "leave the columns blank, or write the node that was meant";
         draft.fixes.push_back({title, FixAvailability::safe});
         sink.add(std::move(draft));

@@ -19,6 +19,7 @@ void check(const RuleContext& context, FindingSink& sink) {
         draft.message = quoted(trouble.text) + " in " + trouble.where +
                         " is not defined by a /PARAMETER: it is read as 0";
         if (trouble.count > 1) draft.message += " (first of " + std::to_string(trouble.count) + ")";
+        note_lost_include(context, "the parameter", draft);
         draft.help = "define the parameter; names are case-sensitive, at most 9 characters";
         sink.add(std::move(draft));
     }
@@ -29,6 +30,7 @@ void check(const RuleContext& context, FindingSink& sink) {
         draft.discriminator = notice.subject;
         draft.message =
             quoted("&" + notice.subject) + " in a header is not defined by a /PARAMETER: the id is read as 0";
+        note_lost_include(context, "the parameter", draft);
         draft.help = "define the parameter; names are case-sensitive, at most 9 characters";
         sink.add(std::move(draft));
     }

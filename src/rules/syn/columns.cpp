@@ -79,6 +79,28 @@ bool has_decimal_commas(std::string_view line, const Tokens& tokens) {
     return commas != 0 && tokens.size() > 1;
 }
 
+/// Calls visit(token) for the fields of a free-format line: commas and blanks both separate, and nothing
+/// between two commas is an empty field.
+template <class Visit>
+void each_free_field(std::string_view line, Visit&& visit) {
+    const auto is_blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
+    for (uint32_t at = 0; at <= line.size(); ++at) {
+        const auto end = static_cast<uint32_t>(std::min(line.find(',', at), line.size()));
+        bool any = false;
+        while (at < end) {
+            uint32_t begin = at;
+            while (begin < end && is_blank(line[begin]))
+                ++begin;
+            for (at = begin; at < end && !is_blank(line[at]);)
+                ++at;
+            if (at > begin) visit(Token{begin, at});
+            any = any || at > begin;
+        }
+        if (!any) visit(Token{end, end});
+        at = end;
+    }
+}
+
 /// Whether a line shows its numbers in other cells than it has them in, where tabs stop at every eighth
 /// column.
 bool misleads(std::string_view line, const Tokens& tokens, std::span<const uint32_t> ends) {
@@ -115,10 +137,17 @@ std::optional<ColumnFault> column_fault(std::string_view line, std::span<const u
         return ColumnFault{kind, token.begin, token.end, first_of(ends, std::min(cell, ends.size())) + 1};
     };
     if (line.find(',') != std::string_view::npos) {
-        if (!has_decimal_commas(line, tokens)) return std::nullopt;
-        for (const Token& token : tokens)
-            if (text_of(line, token).find(',') != std::string_view::npos)
-                return fault(Fault::decimal_comma, token, cell_of(ends, token.begin));
+        if (has_decimal_commas(line, tokens))
+            for (const Token& token : tokens)
+                if (text_of(line, token).find(',') != std::string_view::npos)
+                    return fault(Fault::decimal_comma, token, cell_of(ends, token.begin));
+        std::optional<Token> behind;
+        std::size_t count = 0;
+        each_free_field(line, [&](const Token& token) {
+            if (count++ >= ends.size() && !behind && is_number(text_of(line, token))) behind = token;
+        });
+        if (behind) return fault(Fault::too_many, *behind, ends.size());
+        return std::nullopt;
     }
     const std::size_t tab = line.find('\t');
     if (tab != std::string_view::npos && tab < tokens.back().begin && misleads(line, tokens, ends)) {
@@ -219,15 +248,23 @@ std::vector<std::string> fitted_line(std::string_view line, std::span<const uint
         return column_fault(text, ends, width) ? std::vector<std::string>{} : std::vector{text};
     }
     const Tokens tokens(line);
-    if (tokens.size() >= 64) return {};
+    const bool free = fault->kind == ColumnFault::Kind::too_many;
+    if (tokens.size() >= 64 || (free && !read.empty())) return {};
     std::vector<std::string> lines(1);
     if (read.empty()) {
-        for (std::size_t i = 0; i < tokens.size(); ++i) {
-            const std::string_view text = text_of(line, tokens[i]);
+        std::vector<std::string_view> ids;
+        if (free)
+            each_free_field(line, [&](const Token& token) {
+                if (token.end > token.begin) ids.push_back(text_of(line, token));
+            });
+        else
+            for (const Token& token : tokens)
+                ids.push_back(text_of(line, token));
+        for (std::size_t i = 0; i < ids.size(); ++i) {
             const std::size_t cell = i % ends.size();
-            if (!is_id(text) || text.size() > ends[cell] - first_of(ends, cell)) return {};
+            if (!is_id(ids[i]) || ids[i].size() > ends[cell] - first_of(ends, cell)) return {};
             if (i > 0 && cell == 0) lines.emplace_back();
-            put_right(lines.back(), ends[cell], text);
+            put_right(lines.back(), ends[cell], ids[i]);
         }
     } else {
         const std::vector<std::size_t> cells = cells_of_tokens(line, tokens, ends, read);

@@ -17,6 +17,7 @@ struct ColumnFault {
         tab,           ///< tabs, and what an editor shows is not what is read
         decimal_comma, ///< a comma for a point: it switches the line to free format
         over_width,    ///< a number behind the last column
+        too_many,      ///< a number behind the last field of a free-format line
     };
     Kind kind = Kind::straddle;
     uint32_t begin = 0, end = 0; ///< bytes of the line, from 0
