@@ -174,7 +174,7 @@ int run(const CheckCommand& command) {
     WriterOptions options;
     options.tool_version = tool_version();
     options.rules = rules;
-    options.fail_on = least_failing(command.fail_on);
+    if (command.fail_on_given) options.fail_on = least_failing(command.fail_on);
     if (command.shard) {
         options.shard = Shard{command.shard->number, command.shard->of};
         decks = part_of(std::move(decks), *options.shard);
@@ -192,11 +192,13 @@ int run(const CheckCommand& command) {
         say_error(known.error());
         return exit_failed;
     }
-    std::vector<std::string> inputs;
+    std::vector<std::string> inputs = settings->files();
+    for (const std::string& file : {command.scene, command.baseline})
+        if (!file.empty()) inputs.push_back(file);
     for (const DeckPath& deck : decks)
         inputs.push_back(deck.path);
     Result<std::unique_ptr<Outputs>> opened =
-        Outputs::open(command.outputs, command.output.colour, options, inputs);
+        Outputs::open(command.outputs, command.output.colour, options, inputs, command.write_baseline);
     if (!opened) {
         say_error(opened.error());
         return exit_failed;
@@ -228,15 +230,17 @@ int run(const CheckCommand& command) {
         // What is written is the first decks, without a hole.
         if (!result) stop = true;
         if (stop) return;
-        const Settings holds = settings->of(taken++);
+        const std::size_t index = taken++;
+        const Settings holds = settings->of(index);
+        statistics.count(*result);
         known->take(*result, holds.selection());
+        result->fail_on = least_failing(fail_on_from(settings->of_files(index).fail_on.value));
         std::vector<DeckResult> one;
         one.push_back(std::move(*result));
         const DeckResult& deck = one.front();
         const Summary of_deck = summarise(one);
-        failing = failing || fails(of_deck, fail_on_from(holds.fail_on.value));
+        failing = failing || fails(of_deck, options.least_failing(deck));
         add(summary, of_deck);
-        statistics.count(deck);
         if (deck.failed() || (outputs.on_terminal() && !deck.findings.empty())) progress.clear();
         outputs.deck(deck);
         if (deck.failed() || outputs.on_terminal()) outputs.flush_standard_output();

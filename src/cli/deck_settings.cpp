@@ -5,6 +5,7 @@
 #include "report/text.h"
 
 #include <filesystem>
+#include <set>
 
 namespace drawbead {
 
@@ -31,6 +32,13 @@ Result<DeckSettings> DeckSettings::of(const std::vector<DeckPath>& decks, const 
         out.configs_.push_back(*found);
     }
     return out;
+}
+
+std::vector<std::string> DeckSettings::files() const {
+    std::set<std::string> paths;
+    for (const auto& config : configs_)
+        if (config) paths.insert(config->path);
+    return {paths.begin(), paths.end()};
 }
 
 Settings DeckSettings::of(std::size_t deck) const {
@@ -70,7 +78,7 @@ Result<KnownFindings> KnownFindings::of(const std::string& baseline, const std::
     if (!write_baseline.empty()) {
         std::error_code failure;
         out.before_ = Baseline(write_baseline);
-        if (std::filesystem::exists(write_baseline, failure)) {
+        if (std::filesystem::is_regular_file(write_baseline, failure)) {
             Result<Baseline> before = Baseline::read(write_baseline);
             if (!before) return before.error();
             out.before_ = std::move(*before);

@@ -25,6 +25,8 @@ public:
     static Result<DeckSettings> of(const std::vector<DeckPath>&, const ConfigArguments&, const ReadArguments&,
                                    const CommandChoices&);
 
+    /// The configuration files that hold for any of the decks.
+    std::vector<std::string> files() const;
     Settings of(std::size_t deck) const;
     /// Without the command line.
     Settings of_files(std::size_t deck) const;

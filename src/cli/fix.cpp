@@ -2,6 +2,7 @@
 
 #include "cli/commands.h"
 #include "cli/deck_settings.h"
+#include "cli/interrupt.h"
 #include "cli/outputs.h"
 #include "cli/paths.h"
 #include "cli/reading.h"
@@ -180,6 +181,7 @@ FixReport fix_one(const DeckPath& deck, const FixCommand& command, const Setting
 } // namespace
 
 int run(const FixCommand& command) {
+    note_interrupts();
     const std::vector<DeckPath> decks = find_decks(command.paths);
     const Result<DeckSettings> settings =
         DeckSettings::of(decks, command.config, command.reading,
@@ -204,8 +206,8 @@ int run(const FixCommand& command) {
     WriterOptions writing;
     writing.tool_version = tool_version();
     writing.rules = rules;
-    writing.fail_on = least_failing(command.fail_on);
-    std::vector<std::string> inputs;
+    if (command.fail_on_given) writing.fail_on = least_failing(command.fail_on);
+    std::vector<std::string> inputs = settings->files();
     for (const DeckPath& deck : decks)
         inputs.push_back(deck.path);
     Result<std::unique_ptr<Outputs>> outputs =
@@ -228,7 +230,8 @@ int run(const FixCommand& command) {
     Summary found;
     bool failed = false, failing = false;
     std::vector<FixReport> reports;
-    for (std::size_t i = 0; i < decks.size(); ++i) {
+    std::size_t done = 0;
+    for (std::size_t i = 0; i < decks.size() && interrupt_signal() == 0; ++i, ++done) {
         const DeckPath& deck = decks[i];
         const Settings holds = settings->of(i);
         FixReport report;
@@ -241,9 +244,10 @@ int run(const FixCommand& command) {
         if (report.failed() && report.applied.empty() && (deck.failed() || deck.path == "-"))
             say_error({report.failure, report.path, 0, 0, report.failure_help});
         failed = failed || report.failed();
-        failing = failing || fails(report.remaining, fail_on_from(holds.fail_on.value));
+        failing = failing || fails(report.remaining, least_failing(fail_on_from(holds.fail_on.value)));
         if (options.with_changes) {
             if (!findings) findings = failed_deck(report.path, report.failure, report.failure_help);
+            findings->fail_on = least_failing(fail_on_from(settings->of_files(i).fail_on.value));
             std::vector<DeckResult> one;
             one.push_back(std::move(*findings));
             add(found, summarise(one));
@@ -255,8 +259,15 @@ int run(const FixCommand& command) {
     }
     if (command.json) write_fix_json(report_sink, reports, tool_version());
     errors.flush();
-    const int status = failed ? exit_failed : failing ? exit_findings : exit_clean;
     found.asked = decks.size();
+    found.interrupted = done < decks.size();
+    const int status = found.interrupted ? 128 + interrupt_signal()
+                       : failed          ? exit_failed
+                       : failing         ? exit_findings
+                                         : exit_clean;
+    if (found.interrupted)
+        say("interrupted: " + std::to_string(done) + " of " + std::to_string(decks.size()) +
+            " decks are done");
     found.exit_status = status;
     (*outputs)->end(found);
     if (const int unwritten = (*outputs)->finish(); unwritten != exit_clean) return unwritten;

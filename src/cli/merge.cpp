@@ -82,7 +82,7 @@ int run(const MergeCommand& command) {
     WriterOptions options;
     options.tool_version = reports->front().tool_version;
     options.rules = rules;
-    options.fail_on = least_failing(command.fail_on);
+    if (command.fail_on) options.fail_on = least_failing(*command.fail_on);
     Result<std::unique_ptr<Outputs>> outputs =
         Outputs::open(command.outputs, command.output.colour, options, command.reports);
     if (!outputs) {
@@ -90,6 +90,7 @@ int run(const MergeCommand& command) {
         return exit_failed;
     }
     Summary summary;
+    bool failing = false;
     for (const ReadReport& report : *reports) {
         summary.asked += report.asked;
         summary.interrupted = summary.interrupted || report.interrupted;
@@ -97,10 +98,12 @@ int run(const MergeCommand& command) {
     for (const DeckResult* deck : in_order(*reports)) {
         std::vector<DeckResult> one;
         one.push_back(*deck);
-        add(summary, summarise(one));
+        const Summary of_deck = summarise(one);
+        failing = failing || fails(of_deck, options.least_failing(*deck));
+        add(summary, of_deck);
         (*outputs)->deck(*deck);
     }
-    summary.exit_status = exit_status_of(summary, fails(summary, command.fail_on), 0);
+    summary.exit_status = exit_status_of(summary, failing, 0);
     (*outputs)->end(summary);
     if (const int status = (*outputs)->finish(); status != exit_clean) return status;
     if (!command.output.quiet) say(counts_sentence(summary));

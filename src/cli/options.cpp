@@ -608,7 +608,8 @@ std::optional<UsageError> Parser::finish_reports() {
     const auto index = [](const Choice& one) {
         return std::find(one.words.begin(), one.words.end(), one.value) - one.words.begin();
     };
-    merge_values_.fail_on = static_cast<FailOn>(index(*merge_fail_on_));
+    if (merge_fail_on_->option->count() > 0)
+        merge_values_.fail_on = static_cast<FailOn>(index(*merge_fail_on_));
     merge_values_.output.colour = static_cast<ColourMode>(index(*merge_colour_));
 
     // Of fix, a name without a format is where the repaired deck goes.

@@ -64,7 +64,7 @@ struct CheckCommand {
 /// Reports of `check` in JSON become one, in any format.
 struct MergeCommand {
     std::vector<std::string> reports;
-    FailOn fail_on = FailOn::error;
+    std::optional<FailOn> fail_on; ///< empty: as each deck's run had it
     std::vector<OutputTarget> outputs;
     OutputArguments output; ///< `file` is not used
 };

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
+#include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
 
@@ -47,13 +49,39 @@ bool is_one_of(const std::string& file, const std::vector<std::string>& inputs) 
     });
 }
 
+/// Where a file is, or would be, with links resolved.
+std::filesystem::path place_of(const std::string& file) {
+    namespace fs = std::filesystem;
+    std::error_code failure;
+    if (const fs::path whole = fs::canonical(file, failure); !failure) return whole;
+    const fs::path path(file);
+    const fs::path folder = fs::canonical(path.has_parent_path() ? path.parent_path() : ".", failure);
+    return failure ? path.lexically_normal() : folder / path.filename();
+}
+
+std::optional<std::pair<uint64_t, uint64_t>> identity_of(const std::string& file) {
+    struct stat status {};
+    if (::stat(file.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
+    return std::pair<uint64_t, uint64_t>(status.st_dev, status.st_ino);
+}
+
 } // namespace
 
 Result<std::unique_ptr<Outputs>> Outputs::open(const std::vector<OutputTarget>& targets, ColourMode mode,
                                                const WriterOptions& options,
-                                               const std::vector<std::string>& inputs) {
+                                               const std::vector<std::string>& inputs,
+                                               const std::string& aside) {
     auto outputs = std::make_unique<Outputs>();
+    std::set<std::filesystem::path> taken;
+    if (!aside.empty()) taken.insert(place_of(aside));
     for (const OutputTarget& target : targets) {
+        // Pipes and devices take what comes from several.
+        std::error_code ignored;
+        const bool is_file = !target.file.empty() && (identity_of(target.file).has_value() ||
+                                                      !std::filesystem::exists(target.file, ignored));
+        if (is_file && !taken.insert(place_of(target.file)).second)
+            return Error{"two results of this run want this file", target.file, 0, 0,
+                         "give each a file of its own"};
         One one;
         bool colour = mode == ColourMode::always;
         if (target.file.empty()) {
@@ -65,6 +93,8 @@ Result<std::unique_ptr<Outputs>> Outputs::open(const std::vector<OutputTarget>& 
             return Error{"results would take the place of a file that is read", target.file, 0, 0,
                          "give --output another file"};
         } else {
+            one.file = target.file;
+            one.replaces = identity_of(target.file);
             Result<std::unique_ptr<FileSink>> file = FileSink::replace(target.file);
             if (!file) return file.error();
             one.sink = std::move(*file);
@@ -75,7 +105,20 @@ Result<std::unique_ptr<Outputs>> Outputs::open(const std::vector<OutputTarget>& 
     return outputs;
 }
 
+// Which files a deck includes is known only when it has been read.
+void Outputs::spare_files_of(const DeckResult& result) {
+    if (std::none_of(all_.begin(), all_.end(), [](const One& one) { return one.replaces.has_value(); }))
+        return;
+    for (const std::string& file : result.info.files)
+        if (const auto identity = identity_of(file))
+            for (const One& one : all_)
+                if (one.replaces == identity)
+                    one.sink->fail({"results would take the place of a file that is read", one.file, 0, 0,
+                                    "give --output another file"});
+}
+
 void Outputs::deck(const DeckResult& result) {
+    spare_files_of(result);
     for (const One& one : all_)
         if (!one.sink->failed()) one.writer->deck(result);
 }

@@ -5,8 +5,11 @@
 #include "report/output.h"
 #include "report/writer.h"
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace drawbead {
@@ -14,12 +17,16 @@ namespace drawbead {
 /// Passes decks on to one writer per target. Each file appears when it is complete, or not at all; one that
 /// cannot be written does not keep the others from it.
 class Outputs {
-public:
-    /// Opens all targets, before any work is done. An existing file that is one of `inputs` is refused.
-    static Result<std::unique_ptr<Outputs>> open(const std::vector<OutputTarget>& targets, ColourMode,
-                                                 const WriterOptions&,
-                                                 const std::vector<std::string>& inputs);
+    using FileIdentity = std::pair<uint64_t, uint64_t>; ///< device and number
 
+public:
+    /// Opens all targets, before any work is done. Refused are an existing file that is one of `inputs`, and
+    /// two results in one place; `aside`: where results of the run go beside these, if anywhere.
+    static Result<std::unique_ptr<Outputs>> open(const std::vector<OutputTarget>& targets, ColourMode,
+                                                 const WriterOptions&, const std::vector<std::string>& inputs,
+                                                 const std::string& aside = {});
+
+    /// A target that turns out to be a file of the deck is given up, and the file stays.
     void deck(const DeckResult&);
     void end(const Summary&);
     /// Hands standard output over, as far as it is written.
@@ -36,7 +43,10 @@ private:
         std::unique_ptr<FileSink> sink;
         std::unique_ptr<ReportWriter> writer;
         bool standard_output = false;
+        std::string file;
+        std::optional<FileIdentity> replaces; ///< the file that is there already
     };
+    void spare_files_of(const DeckResult&);
     std::vector<One> all_;
     bool on_terminal_ = false;
 };

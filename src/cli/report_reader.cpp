@@ -227,6 +227,12 @@ BaselineEntry entry_of(const Value& json) {
 DeckResult deck_of(const Value& json) {
     DeckResult deck;
     deck.path = json["path"].text();
+    // Reports of the time before it stood with each deck do not have it.
+    if (json.has("fail_on")) {
+        const std::string word = json["fail_on"].text();
+        deck.fail_on = severity_from(word);
+        if (word != "never") json["fail_on"].one_of(deck.fail_on);
+    }
     if (const Value failure = json["failure"]; !failure.is_null()) {
         deck.failure = failure["message"].text();
         deck.failure_help = failure["help"].text();

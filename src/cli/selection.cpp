@@ -20,18 +20,17 @@ void add(Summary& total, const Summary& part) {
     total.gone += part.gone;
 }
 
-bool fails(const Summary& summary, FailOn fail_on) {
-    switch (fail_on) {
-    case FailOn::error:
+bool fails(const Summary& summary, std::optional<Severity> least) {
+    if (!least) return false;
+    switch (*least) {
+    case Severity::error:
         return summary.errors > 0;
-    case FailOn::warning:
+    case Severity::warning:
         return summary.errors + summary.warnings > 0;
-    case FailOn::info:
-        return summary.errors + summary.warnings + summary.infos > 0;
-    case FailOn::never:
+    case Severity::info:
         break;
     }
-    return false;
+    return summary.errors + summary.warnings + summary.infos > 0;
 }
 
 std::string word_of(FailOn fail_on) {

@@ -16,7 +16,7 @@ Result<Selection> selection_of(const std::vector<std::string>& select,
 
 void add(Summary& total, const Summary& part);
 /// Whether something is as severe as the user wants to hear of by the exit status.
-bool fails(const Summary&, FailOn);
+bool fails(const Summary&, std::optional<Severity> least);
 /// A word of `fail-on` in a configuration.
 FailOn fail_on_from(const std::string& word);
 /// … and back.

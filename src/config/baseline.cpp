@@ -2,6 +2,7 @@
 
 #include "report/json.h"
 #include "report/output.h"
+#include "report/utf8.h"
 #include "rules/text.h"
 
 #include <nlohmann/json.hpp>
@@ -77,8 +78,11 @@ bool was_run(const Selection& run, const std::string& code) {
 
 } // namespace
 
+/// A name that JSON and a person can read stays as it is; the bytes of others, and what looks like such
+/// bytes, are written as %hh, so that no two decks have one name.
 std::string Baseline::name_of(const std::string& deck) const {
-    return printable(absolute(deck).lexically_relative(folder_of(path_)).generic_string());
+    const std::string name = absolute(deck).lexically_relative(folder_of(path_)).generic_string();
+    return printable(name) == name && percent_decoded(name) == name ? name : percent_encoded(name);
 }
 
 Result<Baseline> Baseline::read(const std::string& path) {
@@ -94,7 +98,7 @@ Result<Baseline> Baseline::read(const std::string& path) {
         return wrong("no decks in it");
     if ((*json)["schema"] != 1)
         return Error{"this baseline is of another version of the tool", path, 0, 0,
-                     "write it anew with --write-baseline"};
+                     "delete it, and write it anew with --write-baseline"};
     if (!(*json)["decks"].is_object()) return wrong("decks is no object");
     Baseline out(path);
     for (const auto& [name, findings] : (*json)["decks"].items()) {
@@ -159,7 +163,8 @@ Result<Baseline::Change> Baseline::write(const Baseline& before, FileSink& file)
     for (const auto& [name, old] : before.decks_) {
         const auto now = decks_.find(name);
         const bool looked_at = now != decks_.end() && !now->second.failed;
-        const bool stays = looked_at || now != decks_.end() || fs::exists(folder / name, failure);
+        const bool stays =
+            looked_at || now != decks_.end() || fs::exists(folder / percent_decoded(name), failure);
         for (const auto& [key, count] : old.known) {
             uint64_t kept = 0;
             if (looked_at && was_run(now->second.run, std::get<0>(key))) {

@@ -106,10 +106,26 @@ private:
         return out;
     }
 
+    Words patterns(const YamlNode& node) {
+        for (const YamlNode* word : words(node, "paths"))
+            if (word->text.find_first_not_of("./") == std::string::npos && word->text != "./")
+                fail(*word, "no deck has a path like " + drawbead::quoted(word->text),
+                     "./ stands for all decks below the folder of this file");
+        return paths(node, "paths", false).value;
+    }
+
     void severities(const YamlNode& node, Choices& choices) {
         if (node.kind != Shape::map) return fail(node, "severity needs a map", "such as {LIN005: error}");
+        std::map<std::string, const YamlNode*> named;
         for (const auto& [key, value] : node.entries) {
-            const std::string word = rule_word(key);
+            std::string word = rule_word(key);
+            if (const Rule* rule = find_rule(word)) word = rule->info.code; // of a code or a name
+            const auto [first, is_new] = named.emplace(word, &key);
+            if (!is_new)
+                fail(key,
+                     drawbead::quoted(key.text) + " is " + drawbead::quoted(first->second->text) +
+                         " of line " + std::to_string(first->second->line) + " again",
+                     "leave one of the two");
             const std::string name = text(value, "a severity");
             const std::optional<Severity> severity = severity_from(name);
             if (!error_ && !severity) fail_unknown(value, "severity knows no", {"error", "warning", "info"});
@@ -162,8 +178,10 @@ private:
     std::optional<double> limit_value(const YamlNode& node, const LimitInfo& limit) {
         const std::string what = std::string(limit.rule) + " " + limit.key();
         double value = 0;
-        const char* end = node.text.data() + node.text.size();
-        const auto [stop, code] = std::from_chars(node.text.data(), end, value);
+        const char* begin = node.text.data();
+        const char* const end = begin + node.text.size();
+        if (node.text.size() > 1 && node.text[0] == '+' && node.text[1] != '-') ++begin; // of YAML's numbers
+        const auto [stop, code] = std::from_chars(begin, end, value);
         const bool whole = node.kind == Shape::scalar && !node.quoted && code == std::errc() && stop == end;
         if (!whole || !std::isfinite(value)) {
             fail(node,
@@ -187,7 +205,7 @@ private:
                 return fail(item, "an override needs a map", "it begins with paths:");
             Override one;
             for (const auto& [key, value] : item.entries)
-                if (key.text == "paths") one.paths = paths(value, "paths", false).value;
+                if (key.text == "paths") one.paths = patterns(value);
             if (one.paths.empty()) fail(item, "an override needs paths", "such as paths: [legacy/]");
             read_choices(item, ConfigOption::Where::override, one.choices);
             if (error_) return;
@@ -214,9 +232,12 @@ private:
                                                                         : " cannot stand in an override"));
                 return fail_unknown(key, "unknown key", keys);
             }
-            if (key.text == "select")
+            if (key.text == "select") {
                 choices.select = rules(value, key.text);
-            else if (key.text == "ignore")
+                if (choices.select->value.empty())
+                    fail(value, "select needs a rule at least", "leave it out, or write ALL");
+            }
+            if (key.text == "ignore")
                 choices.ignore = rules(value, key.text);
             else if (key.text == "severity")
                 severities(value, choices);

@@ -43,10 +43,12 @@ bool parts_match(const std::vector<std::string>& pattern, const std::vector<std:
 bool path_matches(std::string_view pattern, std::string_view path) {
     std::vector<std::string> wanted = parts_of(pattern);
     const std::vector<std::string> given = parts_of(path);
+    // "/" alone is no folder of decks; "./" is that of the file.
+    if (!pattern.empty() && pattern.back() == '/' && (!wanted.empty() || pattern[0] == '.'))
+        wanted.emplace_back("**");
     if (wanted.empty() || given.empty()) return false;
     if (pattern.find('/') == std::string_view::npos)
         return wanted[0] == "**" || ::fnmatch(wanted[0].c_str(), given.back().c_str(), 0) == 0;
-    if (pattern.back() == '/') wanted.emplace_back("**");
     return parts_match(wanted, given);
 }
 

@@ -69,7 +69,8 @@ std::string schema_of(const ConfigOption& option) {
     const std::string text = ", \"description\": " + in_quotes(with_default(option)) + "}";
     switch (option.kind) {
     case Value::rules:
-        return "{\"$ref\": \"#/definitions/rules\"" + text;
+        return option.key == "select" ? "{\"$ref\": \"#/definitions/some-rules\"" + text
+                                      : "{\"$ref\": \"#/definitions/rules\"" + text;
     case Value::severities:
         return "{\"$ref\": \"#/definitions/severity\"" + text;
     case Value::fail_on: {
@@ -79,8 +80,9 @@ std::string schema_of(const ConfigOption& option) {
         return "{\"enum\": [" + words + "]" + text;
     }
     case Value::folders:
-    case Value::paths:
         return "{\"$ref\": \"#/definitions/paths\"" + text;
+    case Value::paths:
+        return "{\"$ref\": \"#/definitions/patterns\"" + text;
     case Value::limits:
         return "{\"$ref\": \"#/definitions/limits\"" + text;
     case Value::overrides:
@@ -149,7 +151,9 @@ std::string config_schema() {
   "definitions": {
     "word": {"type": "string", "minLength": 1, "description": "Code, family or name of a rule, or ALL; letter case of codes does not matter."},
     "rules": {"oneOf": [{"$ref": "#/definitions/word"}, {"type": "array", "items": {"$ref": "#/definitions/word"}}]},
+    "some-rules": {"oneOf": [{"$ref": "#/definitions/word"}, {"type": "array", "minItems": 1, "items": {"$ref": "#/definitions/word"}}]},
     "paths": {"oneOf": [{"type": "string", "minLength": 1}, {"type": "array", "items": {"type": "string", "minLength": 1}}]},
+    "patterns": {"oneOf": [{"type": "string", "minLength": 1}, {"type": "array", "minItems": 1, "items": {"type": "string", "minLength": 1}}]},
     "severity": {"type": "object", "additionalProperties": {"enum": ["error", "warning", "info"]}},
     "limits": {
       "type": "object",

@@ -60,6 +60,8 @@ struct DeckResult {
     uint64_t suppressed = 0;         ///< findings that a comment in the deck takes away
     uint64_t known = 0;              ///< findings that the baseline takes away
     std::vector<BaselineEntry> gone; ///< of the baseline, no longer found
+    /// Least severity that fails a run, by the configuration of the deck; empty: none.
+    std::optional<Severity> fail_on = Severity::error;
 
     bool failed() const { return !failure.empty(); }
 };

@@ -164,6 +164,7 @@ void write_deck(JsonWriter& json, const DeckResult& deck) {
         json.end();
     }
     json.end();
+    json.member("fail_on", deck.fail_on ? name(*deck.fail_on) : "never");
     json.note_damaged(nullptr);
     if (!damaged.empty()) {
         for (std::string& text : damaged)

@@ -52,7 +52,7 @@ std::string xml_text(std::string_view text) {
 
 class JunitWriter final : public ReportWriter {
 public:
-    JunitWriter(OutputSink& out, const WriterOptions& options) : out_(out), fail_on_(options.fail_on) {
+    JunitWriter(OutputSink& out, const WriterOptions& options) : out_(out), options_(options) {
         out_.write("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"drawbead\">\n");
     }
 
@@ -71,7 +71,7 @@ public:
             by_rule[finding.code].push_back(&finding);
         std::size_t failures = 0;
         for (const auto& [code, findings] : by_rule)
-            failures += worst_of(findings) != nullptr ? 1 : 0;
+            failures += worst_of(deck, findings) != nullptr ? 1 : 0;
         suite(deck.path, by_rule.empty() ? 1 : by_rule.size(), failures, 0);
         if (by_rule.empty()) {
             open_case(deck.path, "no findings");
@@ -102,11 +102,11 @@ private:
     }
 
     /// The most severe finding when it is as severe as what fails a run.
-    const Finding* worst_of(const std::vector<const Finding*>& findings) const {
+    const Finding* worst_of(const DeckResult& deck, const std::vector<const Finding*>& findings) const {
+        const std::optional<Severity> least = options_.least_failing(deck);
         const Finding* worst = nullptr;
         for (const Finding* one : findings)
-            if (fail_on_ && one->severity >= *fail_on_ && (!worst || one->severity > worst->severity))
-                worst = one;
+            if (least && one->severity >= *least && (!worst || one->severity > worst->severity)) worst = one;
         return worst;
     }
 
@@ -135,7 +135,7 @@ private:
             if (!one->help.empty()) text += "  help: " + one->help + '\n';
         }
         open_case(deck.path, first.code + ' ' + first.name);
-        if (const Finding* worst = worst_of(findings)) {
+        if (const Finding* worst = worst_of(deck, findings)) {
             std::string message = worst->message;
             if (findings.size() > 1)
                 message += " (and " + std::to_string(findings.size() - 1) + " more of " + first.code + ')';
@@ -147,7 +147,7 @@ private:
     }
 
     OutputSink& out_;
-    std::optional<Severity> fail_on_;
+    WriterOptions options_;
 };
 
 } // namespace

@@ -27,10 +27,11 @@ public:
     bool reader_gone() const { return reader_gone_; }
     /// Flushes, and for a file makes it appear under its name. Returns the first error since the start.
     virtual Result<void> finish();
+    /// From now on everything is dropped, and finish() returns this error, unless there was one before.
+    void fail(Error error);
 
 protected:
     virtual std::optional<Error> put(std::string_view text) = 0;
-    void fail(Error error);
     bool reader_gone_ = false;
 
 private:

@@ -22,9 +22,14 @@ public:
 /// What the writers of a run share. `rules` and what its members point at must outlive the writer.
 struct WriterOptions {
     std::string_view tool_version;
-    std::span<const RuleInfo> rules{};                 ///< the catalogue, by code
-    std::optional<Severity> fail_on = Severity::error; ///< least severity that fails a run; empty: none
-    std::optional<Shard> shard{};                      ///< when the run is a part of one
+    std::span<const RuleInfo> rules{}; ///< the catalogue, by code
+    std::optional<Shard> shard{};      ///< when the run is a part of one
+    /// --fail-on, which holds for all decks; without it each deck has its own.
+    std::optional<std::optional<Severity>> fail_on{};
+
+    std::optional<Severity> least_failing(const DeckResult& deck) const {
+        return fail_on.value_or(deck.fail_on);
+    }
 };
 
 /// Text, per finding: `path:line:column: severity: CODE name: message [fix: title]`, the source line with a
@@ -43,7 +48,7 @@ std::unique_ptr<ReportWriter> csv_writer(OutputSink&);
 /// SARIF 2.1.0 with the pages of all rules; columns in Unicode code points.
 std::unique_ptr<ReportWriter> sarif_writer(OutputSink&, const WriterOptions&);
 /// JUnit XML: a deck is a suite, a rule that found something in it is a case, which fails when a finding is
-/// as severe as `fail_on`.
+/// as severe as what fails a run.
 std::unique_ptr<ReportWriter> junit_writer(OutputSink&, const WriterOptions&);
 /// Workflow commands of GitHub: the worst ten findings and decks, then a summary.
 std::unique_ptr<ReportWriter> github_writer(OutputSink&);

@@ -135,7 +135,8 @@ Span text_below(const SourceFile& file, const Span& comment) {
     for (uint64_t line = begin; line < file.bytes().size(); line = file.next_line(line)) {
         const std::string_view text = file.line_at(line);
         const bool mark = std::binary_search(marks.begin(), marks.end(), line);
-        if ((!text.empty() && text[0] == '#' && !mark) || !is_filled(text)) continue;
+        const bool comment_line = !text.empty() && (text[0] == '#' || text[0] == '$');
+        if ((comment_line && !mark) || !is_filled(text)) continue;
         return {comment.file, begin, line + text.size() + 1}; // findings may stand at the end of a line
     }
     return {comment.file, begin, file.bytes().size()};

@@ -87,6 +87,28 @@ class Found(CommandLineTest):
         self.assert_usage_error("--config and --isolated exclude each other; give one of them",
                                 "check", "lib", "--config", "x", "--isolated")
 
+    def test_what_is_said_twice_or_means_nothing(self):
+        self.write("x_0000.rad", tiny())
+        for text, message in (
+                ("severity: {LIN005: error, lin005: info}", "1:27: error: 'lin005' is 'LIN005' of line 1 again"),
+                ("severity:\n  LIN005: info\n  sharp-corner: error", "3:3: error: 'sharp-corner' is 'LIN005' of line 2 again"),
+                ("select: []", "1:9: error: select needs a rule at least"),
+                ("overrides: [{paths: /}]", "1:21: error: no deck has a path like '/'"),
+                ("overrides: [{paths: .}]", "1:21: error: no deck has a path like '.'")):
+            with self.subTest(text):
+                self.write(CONFIG, text + "\n")
+                status, _, err = self.run_tool("check", "x_0000.rad")
+                self.assertEqual(status, 2)
+                self.assertIn(f"{CONFIG}:{message}", err)
+
+    def test_this_folder_and_signed_numbers(self):
+        self.write("x_0000.rad", tiny(group=9))
+        self.write(CONFIG, "overrides:\n  - paths: ./\n    ignore: REF\n    limits: {LIN005: {turn-degrees: +40}}\n")
+        status, out, _ = self.run_tool("check", "x_0000.rad", "--show-config")
+        self.assertEqual(status, 0)
+        self.assertRegex(out, r"ignore: \[REF\]")
+        self.assertRegex(out, r"turn-degrees: 40 ")
+
     def test_fix_honours_it(self):
         half = (SAMPLES / "half_flipped_0000.rad").read_text()
         self.write("half_0000.rad", half)
@@ -129,7 +151,8 @@ class Show(CommandLineTest):
 
 class SchemaOfConfig(CommandLineTest):
     SAMPLES = [
-        ("{}", True), ('{"select": "LIN"}', True), ('{"select": ["LIN", "ALL"]}', True), ('{"select": []}', True),
+        ("{}", True), ('{"select": "LIN"}', True), ('{"select": ["LIN", "ALL"]}', True), ('{"select": []}', False),
+        ('{"ignore": []}', True), ('{"overrides": [{"paths": []}]}', False), ('{"overrides": [{"paths": "./"}]}', True),
         ('{"selct": "LIN"}', False), ('{"select": 5}', False), ('{"select": [["LIN"]]}', False),
         ('{"severity": {"LIN": "error", "SRF001": "info"}}', True), ('{"severity": {"LIN": "fatal"}}', False),
         ('{"severity": "error"}', False), ('{"fail-on": "never"}', True), ('{"fail-on": "sometimes"}', False),

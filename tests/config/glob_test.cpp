@@ -28,6 +28,8 @@ TEST_CASE("patterns of paths") {
                             {"**", "a/b", true},
                             {"", "a", false},
                             {"a/b", "a/b/c", false},
+                            {"./", "a/b.rad", true},
+                            {".", "a", false},
                             {"/", "a", false}}) {
         INFO(one.pattern << " and " << one.path);
         CHECK(path_matches(one.pattern, one.path) == one.matches);

@@ -178,9 +178,9 @@ TEST_CASE("JUnit: a case fails by --fail-on") {
     Finding warning = finding_with("m");
     warning.severity = Severity::warning;
     const auto with = [&](std::optional<Severity> least) {
-        WriterOptions o = options();
-        o.fail_on = least;
-        return written(report_of(warning), [&](OutputSink& out) { return junit_writer(out, o); });
+        Report report = report_of(warning);
+        report.decks.front().fail_on = least;
+        return written(report, [](OutputSink& out) { return junit_writer(out, options()); });
     };
     CHECK(count(with(Severity::error), "<failure") == 0);
     CHECK(count(with(Severity::error), "failures=\"0\"") == 1);

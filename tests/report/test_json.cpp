@@ -58,7 +58,7 @@ TEST_CASE("a report without decks") {
 
 TEST_CASE("a part of a run, and one that was interrupted, say so") {
     StringSink out;
-    const std::unique_ptr<ReportWriter> writer = json_writer(out, {"0", {}, Severity::error, Shard{2, 7}});
+    const std::unique_ptr<ReportWriter> writer = json_writer(out, {"0", {}, Shard{2, 7}});
     Summary summary;
     summary.interrupted = true;
     summary.asked = 12;

@@ -86,6 +86,12 @@ TEST_CASE("comments may stand one below the other, and a name or ALL stands for 
     CHECK(count(result, "SUP001") == 0);
 }
 
+TEST_CASE("other comments may stand between, of either kind") {
+    const DeckResult result = check(group + "# drawbead: ignore[PAR002] a\n$ one\n\n# another\n" + bead);
+    CHECK(count(result, "PAR002") == 0);
+    CHECK(count(result, "SUP001") == 0);
+}
+
 TEST_CASE("ignore-file speaks of its own file") {
     const std::string comment = "# drawbead: ignore-file[PAR] a trial\n";
     CHECK(count(check(comment + group + bead), "PAR002") == 0);
