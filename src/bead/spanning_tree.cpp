@@ -66,6 +66,7 @@ std::vector<TreeEdge> spanning_tree(std::span<const Vec3> points) {
             const auto found = tree.nearest_other_label(i, best[part[i]].squared);
             if (found.index != PointTree::none) best[part[i]] = std::min(best[part[i]], link(i, found));
         }
+        const std::size_t before = edges.size();
         for (uint32_t i = 0; i < n; ++i) {
             if (part[i] != i || best[i].a == best[i].b) continue;
             const uint32_t p = root(parent, best[i].a), q = root(parent, best[i].b);
@@ -75,6 +76,14 @@ std::vector<TreeEdge> spanning_tree(std::span<const Vec3> points) {
         }
         for (uint32_t i = 0; i < n; ++i)
             part[i] = root(parent, i);
+        if (edges.size() > before) continue;
+        // Squares beyond the largest double: all that is left is equally far.
+        for (uint32_t i = 1; i < n; ++i) {
+            const uint32_t p = root(parent, 0), q = root(parent, i);
+            if (p == q) continue;
+            parent[std::max(p, q)] = std::min(p, q);
+            edges.push_back({0, i, std::numeric_limits<double>::infinity()});
+        }
     }
     return edges;
 }

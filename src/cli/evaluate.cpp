@@ -58,8 +58,32 @@ Scene scene_of_deck(const EvaluateCommand& command) {
 
 } // namespace
 
+namespace {
+
+const char* name_of(MotionTarget::Kind kind) {
+    switch (kind) {
+    case MotionTarget::Kind::surface:
+        return "surface";
+    case MotionTarget::Kind::part:
+        return "part";
+    case MotionTarget::Kind::node_group:
+        return "node group";
+    case MotionTarget::Kind::bead:
+        return "bead";
+    case MotionTarget::Kind::main_surface:
+        break;
+    }
+    return "main surface of bead";
+}
+
+} // namespace
+
 Result<Loaded> load_scene(const EvaluateCommand& command) {
     Loaded out;
+    if (is_scene_file(command.path) &&
+        (command.end || command.step || command.steps || !command.trace.empty()))
+        return Error{"--end, --step, --steps and --trace are for decks, and this is a scene", command.path, 0,
+                     0, "write them under time: in the scene"};
     out.threads = thread_count(command.reading);
     Result<Scene> scene =
         is_scene_file(command.path) ? read_scene(command.path) : Result<Scene>(scene_of_deck(command));
@@ -94,7 +118,10 @@ Result<Loaded> load_scene(const EvaluateCommand& command) {
             const auto& held = out.model.motion().target_nodes[i];
             const ScenePlace& at = s.moves[i].place;
             const std::string id = std::to_string(s.moves[i].target.id);
-            if (!held) return Error{id + " does not exist in the deck", s.path, at.line, at.column, ""};
+            if (!held)
+                return Error{std::string(name_of(s.moves[i].target.kind)) + " " + id +
+                                 " does not exist in the deck",
+                             s.path, at.line, at.column, "correct the id, or leave the move out"};
             if (*held == 0)
                 out.notes.push_back("line " + std::to_string(at.line) + " of the scene: " + id +
                                     " holds no node of a drawbead or of a main surface");
@@ -109,6 +136,36 @@ Result<Loaded> load_scene(const EvaluateCommand& command) {
     return out;
 }
 
+namespace {
+
+/// Whether the deck has the interfaces and bead nodes that the scene names.
+Result<void> ids_exist(const Loaded& loaded) {
+    const Scene& s = loaded.scene;
+    const std::vector<Drawbead>& beads = loaded.model.drawbeads();
+    std::string known;
+    for (const Drawbead& bead : beads)
+        known += (known.empty() ? "" : ", ") + std::to_string(bead.id);
+    for (const int64_t id : s.interfaces)
+        if (std::none_of(beads.begin(), beads.end(), [&](const Drawbead& b) { return b.id == id; }))
+            return Error{"no /INTER/TYPE8 with id " + std::to_string(id), s.path, s.interfaces_place.line,
+                         s.interfaces_place.column, "the deck has " + known};
+    for (const int64_t id : s.output.nodes) {
+        const auto has = [&](const Drawbead& bead) {
+            if (!bead.group) return false;
+            const std::vector<NodeRow>& rows = loaded.model.groups()[*bead.group].nodes;
+            return std::any_of(rows.begin(), rows.end(),
+                               [&](NodeRow row) { return value(loaded.model.nodes().user_id(row)) == id; });
+        };
+        if (std::none_of(beads.begin(), beads.end(), has))
+            return Error{"node " + std::to_string(id) + " is no node of a bead", s.path,
+                         s.output.nodes_place.line, s.output.nodes_place.column,
+                         "name nodes of the lists of the beads, or leave nodes out: all are written then"};
+    }
+    return {};
+}
+
+} // namespace
+
 Result<Prepared> prepare_scene(const Loaded& loaded, double travel) {
     Prepared out;
     EvaluationRequest request;
@@ -118,6 +175,7 @@ Result<Prepared> prepare_scene(const Loaded& loaded, double travel) {
     request.dt = loaded.dt;
     request.threads = loaded.threads;
     request.travel = travel;
+    if (auto known = ids_exist(loaded); !known) return known.error();
     Result<DeckEvaluation> evaluation = evaluation_of(loaded.model, request);
     if (!evaluation) return evaluation.error();
     out.evaluation = std::move(*evaluation);
@@ -125,7 +183,8 @@ Result<Prepared> prepare_scene(const Loaded& loaded, double travel) {
     if (scene.beads.empty()) {
         const LeftOut& first = out.evaluation.left_out.front();
         return Error{"interface " + std::to_string(first.id) + " cannot be evaluated: " + first.why,
-                     loaded.scene.deck, 0, 0, "give a scene that lists under motion: how things move"};
+                     loaded.scene.path.empty() ? loaded.scene.deck : loaded.scene.path, 0, 0,
+                     loaded.scene.deck_motion ? "give a scene that lists under motion: how things move" : ""};
     }
     for (const Motion& motion : scene.motions)
         out.steps.push_back(integrate(motion, scene.time, scene.dt));

@@ -2,6 +2,7 @@
 #include "cli/scene_file.h"
 
 #include "base/nearest.h"
+#include "rules/text.h"
 
 #include <yaml-cpp/yaml.h>
 
@@ -28,12 +29,18 @@ public:
     SceneParser(std::string_view text, const std::string& path) : text_(text), path_(path) {}
 
     Scene parse() {
-        const YAML::Node root = YAML::Load(std::string(text_));
+        const std::vector<YAML::Node> documents = YAML::LoadAll(std::string(text_));
+        if (documents.size() > 1)
+            fail(documents[1], "a second document in the file", "leave one scene, without --- behind it");
+        const YAML::Node root = documents.empty() ? YAML::Node() : documents.front();
         if (!root.IsMap()) fail(root, "a scene is a map of keys", "it begins with: deck: NAME_0000.rad");
         only(root, {"deck", "interfaces", "law", "time", "accuracy", "output", "motion"});
         scene_.path = path_;
         scene_.deck = beside(text(need(root, "deck"), "deck"));
-        if (const YAML::Node node = root["interfaces"]) scene_.interfaces = ids(node, "interfaces");
+        if (const YAML::Node node = root["interfaces"]) {
+            scene_.interfaces = ids(node, "interfaces");
+            scene_.interfaces_place = place(node);
+        }
         if (const YAML::Node node = root["law"]) law(node);
         time(need(root, "time"));
         if (const YAML::Node node = root["accuracy"]) accuracy(node);
@@ -214,7 +221,10 @@ private:
             if (count < 1) fail(every, "every must be at least 1");
             scene_.output.every = static_cast<uint64_t>(count);
         }
-        if (const YAML::Node nodes = node["nodes"]) scene_.output.nodes = ids(nodes, "nodes");
+        if (const YAML::Node nodes = node["nodes"]) {
+            scene_.output.nodes = ids(nodes, "nodes");
+            scene_.output.nodes_place = place(nodes);
+        }
         if (const YAML::Node csv = node["csv"]) scene_.output.csv = beside(text(csv, "csv"));
         if (const YAML::Node vtu = node["vtu"]) scene_.output.vtu = beside(text(vtu, "vtu"));
     }
@@ -357,7 +367,9 @@ Result<Scene> parse_scene(std::string_view text, const std::string& path) {
 Result<Scene> read_scene(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     std::ostringstream text;
-    if (!file || !(text << file.rdbuf())) return Error{"cannot be read", path, 0, 0, ""};
+    std::error_code failure;
+    if (!file || std::filesystem::is_directory(path, failure)) return Error{"cannot be read", path, 0, 0, ""};
+    text << file.rdbuf(); // of an empty file this fails
     return parse_scene(text.str(), path);
 }
 
@@ -395,7 +407,7 @@ std::vector<double> equal_steps(double end, std::optional<double> step, std::opt
 Result<void> check_tables(const Scene& scene, double end) {
     for (const Scene::Table& table : scene.tables)
         if (table.first > 0 || table.last < end * (1 - 1e-12))
-            return Error{"the table does not cover the run, 0 to " + std::to_string(end), scene.path,
+            return Error{"the table does not cover the run, 0 to " + number(end, 6), scene.path,
                          table.place.line, table.place.column, "give its first and last point there"};
     return {};
 }

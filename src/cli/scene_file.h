@@ -30,6 +30,7 @@ struct Scene {
     std::string path;                ///< of the scene's file; empty when it was made from the command line
     std::string deck;                ///< as it can be opened
     std::vector<int64_t> interfaces; ///< empty: all
+    ScenePlace interfaces_place;
     bool solver = true, manual = true;
     struct Time {
         std::optional<double> end, step;
@@ -40,7 +41,8 @@ struct Scene {
     struct Output {
         uint64_t every = 1;
         std::vector<int64_t> nodes; ///< empty: all
-        std::string csv, vtu;       ///< empty: not wanted; vtu: what the names begin with
+        ScenePlace nodes_place;
+        std::string csv, vtu; ///< empty: not wanted; vtu: what the names begin with
     } output;
     std::optional<ManualSettings>
         accuracy; ///< how finely the manual's law is evaluated; empty: exactly in time

@@ -15,6 +15,10 @@ Result<SceneTimes> times_of(const Scene& scene) {
         out.dt = std::move(times.dt);
         out.note = std::move(times.note);
     } else {
+        constexpr double most = 1e8;
+        if (scene.time.step && *scene.time.end / *scene.time.step > most)
+            return Error{"more than 1e8 steps", scene.path, scene.time.place.line, scene.time.place.column,
+                         "please give longer steps"};
         out.time = equal_steps(*scene.time.end, scene.time.step, scene.time.steps);
         out.dt.push_back(0);
         for (std::size_t n = 1; n < out.time.size(); ++n)

@@ -53,6 +53,8 @@ public:
             history_.restraint_capacity += manual_limit(bead_.law.ft_first, bead_.law.ft_last, share_[i]) * L;
         }
         corners_ = corners();
+        accelerates_ = std::any_of(scene_.motions.begin(), scene_.motions.end(),
+                                   [](const Motion& m) { return m.accelerates(); });
     }
 
     void finish() override {
@@ -94,7 +96,7 @@ private:
         std::sort(motions.begin(), motions.end());
         motions.erase(std::unique(motions.begin(), motions.end()), motions.end());
         for (const uint32_t m : motions)
-            for (const double t : scene_.motions[m].corners(begin, end))
+            for (const double t : scene_.motions[m].bends(begin, end))
                 out.push_back(t);
         for (const double t : {bead_.t_start, bead_.t_stop})
             if (t > begin && t < end) out.push_back(t);
@@ -293,9 +295,30 @@ private:
         q_[i] = 0;
     }
 
+    /// When in (ta, tb) the node stops to come closer or to go away, or turns across the bead; between bends
+    /// relative velocities are linear.
+    std::optional<double> turning(std::size_t i, double ta, double tb, const At& a, const At& b) const {
+        if (!accelerates_ || !a.found || !b.found || !(tb > ta)) return {};
+        const Vec3 va = relative_velocity(i, a, ta), vb = relative_velocity(i, b, std::nextafter(tb, ta));
+        const auto zero = [&](Vec3 at_a, Vec3 at_b) -> std::optional<double> {
+            const double from = dot(va, at_a), to = dot(vb, at_b);
+            if (!(from * to < 0)) return {};
+            const double t = ta + (tb - ta) * (from / (from - to)), margin = 1e-9 * (tb - ta);
+            return t > ta + margin && t < tb - margin ? std::optional(t) : std::nullopt;
+        };
+        if (const auto t = zero(a.contact.normal, b.contact.normal)) return t;
+        return a.status() > 0 && b.status() > 0 ? zero(a.force.across, b.force.across) : std::nullopt;
+    }
+
     /// Node i from ta to tb; where its status changes in between, in two pieces.
     void piece(std::size_t i, double ta, double tb, const At& a, const At& b, int depth) {
         const int from = a.status(), to = b.status();
+        if (const auto turn = depth < 4 ? turning(i, ta, tb, a, b) : std::nullopt) {
+            const At at = look(i, *turn);
+            piece(i, ta, *turn, a, at, depth + 1);
+            piece(i, *turn, tb, at, b, depth + 1);
+            return;
+        }
         if (from != to && depth < 4) {
             double low = ta, high = tb;
             At at_low = a, at_high = b;
@@ -357,7 +380,8 @@ private:
             const double wanted = damper * dot(relative_velocity(i, b, tb), u);
             const double start = a.status() > 0 ? viscous(i, a, ta) : 0;
             q = std::clamp(wanted, -b.limit, b.limit);
-            absorbed = 0.5 * (start + q) * way;
+            // The velocity may jump at tb: on the way there it had not yet.
+            absorbed = 0.5 * (start + viscous(i, b, std::nextafter(tb, ta))) * way;
             if (stages_.has(Effect::energy)) history_.energy.dissipated += absorbed;
             if (std::abs(wanted) > b.limit && b.force.ft_limit > 0) {
                 const double t = std::abs(damper * dot(relative_velocity(i, a, ta), u)) > a.limit ? ta : tb;
@@ -469,6 +493,7 @@ private:
     std::vector<At> then_, now_;
     std::vector<ClosestTrack> track_; ///< of each node, on a blank that keeps its shape
     std::vector<double> corners_;     ///< times at which a step is split
+    bool accelerates_ = false;        ///< a velocity changes other than by jumps
     uint32_t reference_ = 0;
     double t_ = 0, shape_of_ = 0;
     bool restrains_ = false, incremental_ = false, one_motion_ = true, deforming_ = false;

@@ -76,17 +76,53 @@ Vec3 Motion::velocity_at(double t, Vec3 x) const {
     return v;
 }
 
-std::vector<double> Motion::corners(double a, double b) const {
+namespace {
+
+std::vector<double> ascending(std::vector<double> t) {
+    std::sort(t.begin(), t.end());
+    t.erase(std::unique(t.begin(), t.end()), t.end());
+    return t;
+}
+
+} // namespace
+
+std::vector<double> Motion::bends(double a, double b) const {
     std::vector<double> out;
     for (const Term& term : terms)
-        for (const double t : term.table.corners(a / term.time_scale, b / term.time_scale))
-            out.push_back(t * term.time_scale);
+        for (const double at : term.table.times())
+            if (const double t = at * term.time_scale; t > a && t < b) out.push_back(t);
     if (turn)
         for (const double t : turn->angle.corners(a, b))
             out.push_back(t);
-    std::sort(out.begin(), out.end());
-    out.erase(std::unique(out.begin(), out.end()), out.end());
-    return out;
+    return ascending(std::move(out));
+}
+
+std::vector<double> Motion::corners(double a, double b) const {
+    std::vector<double> out = bends(a, b);
+    // Between bends every term is linear, and so is their sum: that is what turns, not its terms.
+    std::vector<double> knots{a};
+    knots.insert(knots.end(), out.begin(), out.end());
+    knots.push_back(b);
+    for (std::size_t k = 0; k + 1 < knots.size(); ++k) {
+        const double from = knots[k], to = knots[k + 1], middle = from + 0.5 * (to - from);
+        const Vec3 first = velocity(from), half = velocity(middle);
+        for (const auto axis : axes) {
+            const double v0 = first.*axis, change = 2 * (half.*axis - v0);
+            if (!(v0 * (v0 + change) < 0)) continue;
+            const double t = from - v0 / change * (to - from);
+            if (t > from && t < to) out.push_back(t);
+        }
+    }
+    return ascending(std::move(out));
+}
+
+bool Motion::accelerates() const {
+    if (turn) return true;
+    return std::any_of(terms.begin(), terms.end(), [](const Term& term) {
+        const std::vector<double>& y = term.table.values();
+        return term.velocity &&
+               std::any_of(y.begin(), y.end(), [&](double value) { return value != y.front(); });
+    });
 }
 
 MotionSteps integrate(const Motion& motion, std::span<const double> t, std::span<const double> dt) {

@@ -44,7 +44,8 @@ struct Motion {
     std::optional<Turn> turn;
     Vec3 initial_velocity; ///< what the solver's law sees in the first cycle
 
-    bool at_rest() const; ///< at all times, by its tables alone
+    bool at_rest() const;     ///< at all times, by its tables alone
+    bool accelerates() const; ///< whether a velocity is anything but constant between jumps
 
     // Exact, as the manual's law moves.
     Vec3 displacement(double t) const; ///< of the translation since t = 0
@@ -52,7 +53,9 @@ struct Motion {
     Placement placement(double t) const;
     /// Velocity of the point that is at x.
     Vec3 velocity_at(double t, Vec3 x) const;
-    /// Times strictly between a and b where a velocity bends, jumps or changes its sign.
+    /// Times strictly between a and b where a velocity bends or jumps.
+    std::vector<double> bends(double a, double b) const;
+    /// The same and where the translation turns along an axis: its extremes are among them.
     std::vector<double> corners(double a, double b) const;
 };
 

@@ -287,7 +287,7 @@ private:
             say(Effect::moving_tool, V::off, "the bead stands still");
         else
             say(Effect::moving_tool, V::on, std::to_string(tool_.size()) + " motions of bead nodes");
-        if (blank_still_ && tool_still_)
+        if (blank_still_ && tool_still_ && !pushed_at_rest)
             say(Effect::energy, V::off, "nothing moves: no work");
         else
             say(Effect::energy, V::on, "work of the forces on blank and bead");
@@ -432,8 +432,12 @@ private:
     bool never_reset() const {
         if (!(bead_.law.depth > 0) || tool_.size() != 1) return false;
         double k = infinity, hop = 0;
-        for (std::size_t s = 0; s < surface_.stiffness.size(); ++s)
-            k = std::min(k, surface_.stiffness[s].k);
+        for (std::size_t s = 0; s < surface_.stiffness.size(); ++s) {
+            const SegmentStiffness& one = surface_.stiffness[s];
+            // A thickness on the element's card counts in the manual's stiffness.
+            const double own = one.half_thickness > 0 ? 0.5 * surface_.thickness[s] / one.half_thickness : 1;
+            k = std::min(k, one.k * own);
+        }
         for (std::size_t i = 1; i < nodes_; ++i)
             hop = std::max(hop, distance(bead_.x[i - 1], bead_.x[i]));
         const double most = std::max(std::abs(bead_.law.fn_first), std::abs(bead_.law.fn_last)) * hop;

@@ -214,11 +214,13 @@ private:
         if (!block_.books) return;
         BeadEnergy& energy = history_.energy;
         energy.stored += block_.stored_change[lane];
-        if (n == 0) return;
-        const double restraint_work = block_.restraint_work[lane];
-        energy.normal_work += block_.normal_work[lane];
-        energy.restraint_work += restraint_work;
-        energy.tool_work -= block_.tool_work[lane];
+        // Before the first cycle there is no way, but a negative Ft stores a force in it already.
+        const double restraint_work = n > 0 ? block_.restraint_work[lane] : 0;
+        if (n > 0) {
+            energy.normal_work += block_.normal_work[lane];
+            energy.restraint_work += restraint_work;
+            energy.tool_work -= block_.tool_work[lane];
+        }
         const double taken = -restraint_work - block_.stored_change[lane];
         (taken >= 0 ? energy.dissipated : energy.created) += std::abs(taken);
     }

@@ -163,6 +163,10 @@ private:
             if (is_integer_column(target_[field]) &&
                 (value != std::floor(value) || std::abs(value) > 2147483647.0))
                 return refuse("not an id or a count", "repair the row");
+            constexpr double most_cycles = 1e8; // a run of so many would be a record of many gigabytes
+            if (target_[field] == static_cast<std::size_t>(TraceColumn::ncycle) &&
+                (value < 0 || value > most_cycles))
+                return refuse("not a cycle from 0 to 100000000", "repair the row");
             row.value[target_[field]] = value;
         }
         if (begin <= line.size())

@@ -33,12 +33,17 @@ private:
 /// Farthest that a motion brings a node from where it starts.
 double farthest(const Motion& motion, const std::vector<double>& time) {
     if (motion.turn) return std::numeric_limits<double>::infinity();
-    double most = 0;
+    Vec3 most; // along the axes: they need not be farthest at the same time
+    const auto take = [&](double t) {
+        const Vec3 way = motion.displacement(t);
+        most = {std::max(most.x, std::abs(way.x)), std::max(most.y, std::abs(way.y)),
+                std::max(most.z, std::abs(way.z))};
+    };
     for (const double t : time)
-        most = std::max(most, norm(motion.displacement(t)));
+        take(t);
     for (const double t : motion.corners(time.front(), time.back()))
-        most = std::max(most, norm(motion.displacement(t)));
-    return most;
+        take(t);
+    return norm(most);
 }
 
 EvaluationBead bead_of(const Model& model, const InterfaceContact& one) {

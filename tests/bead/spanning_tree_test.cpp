@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 using namespace drawbead;
@@ -64,6 +65,19 @@ TEST_CASE("the tree is as short as a slow one finds it") {
         const auto edges = spanning_tree(x);
         REQUIRE(edges.size() == n - 1);
         REQUIRE(length(edges) == Approx(slow_length(x)).epsilon(1e-12));
+    }
+}
+
+TEST_CASE("places whose distance squared is beyond the largest double come to an end, too") {
+    for (const double far : {1e155, 1e300}) {
+        std::vector<Vec3> x;
+        for (int i = 0; i < 30; ++i)
+            x.push_back({static_cast<double>(i), 0, 0});
+        x[7].x = far, x[12].y = -far, x[13].z = far;
+        const auto edges = spanning_tree(x);
+        CHECK(edges.size() == 29);
+        CHECK(std::count_if(edges.begin(), edges.end(),
+                            [](const TreeEdge& e) { return !std::isfinite(e.length); }) == 3);
     }
 }
 

@@ -36,6 +36,20 @@ class Audit(CommandLineTest):
         path = self.write("t.csv", "".join(",".join(reversed(row)) + "\n" for row in rows))
         self.assertEqual(self.run_tool("audit", scene("negft2")[0], path)[0], 0)
 
+    def test_a_deck_with_its_bead_elsewhere(self):
+        deck, trace = scene("c_drawin_incr")
+        nodes, text = False, []
+        for line in deck.read_text().splitlines():
+            nodes = line.startswith("/NODE") or (nodes and not line.startswith("/"))
+            if nodes and line[:10].strip() == "1005":
+                line = line[:10] + f"{float(line[10:30]) + 1e-4:20.6f}" + line[30:]
+            text.append(line)
+        self.assertNotEqual(text, deck.read_text().splitlines())
+        path = self.write("moved_0000.rad", "\n".join(text) + "\n")
+        status, _, err = self.run_tool("audit", path, trace)
+        self.assertEqual(status, 2)
+        self.assertIn("node 1005 begins in another place than in the deck; is this the trace of this deck?", err)
+
     def test_out_of_tolerance(self):
         lines = self.trace("negft2")
         column = lines[0].split(",").index("fz")

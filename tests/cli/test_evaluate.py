@@ -329,7 +329,7 @@ motion:
                                                  "give a table [[0, 0], [time, value]]",
                 move + "velocity: {x: [[0, 0], [0.5, 1]]}\n": "scene.yaml:5:19: error: the table does not cover the run",
                 good + "motion:\n  - move: {surface: 9}\n    velocity: {x: 1}\n":
-                    "scene.yaml:4:21: error: 9 does not exist in the deck",
+                    "scene.yaml:4:21: error: surface 9 does not exist in the deck",
                 good + "motion:\n  - move: {interface: 7}\n    velocity: {x: 1}\n":
                     "scene.yaml:4:11: error: an interface needs a side: main or secondary",
                 good + good: "error: key 'deck' stands twice",
@@ -341,6 +341,86 @@ motion:
                 self.assertIn(message, err)
         self.write("scene.yaml", good + "interfaces: 8\n")
         self.assertIn("no /INTER/TYPE8 with id 8", self.run_tool("evaluate", "scene.yaml")[2])
+
+    def test_what_a_scene_names_and_the_deck_does_not_have(self):
+        self.write("d_0000.rad", moved(keep_bead_held=True))
+        good = "deck: d_0000.rad\ntime: {end: 1, steps: 10}\n"
+        for text, message in {
+                good + "interfaces: [7, 8]\n": "scene.yaml:3:13: error: no /INTER/TYPE8 with id 8; the deck has 7",
+                good + "output: {nodes: [11, 5], csv: o.csv}\n": "scene.yaml:3:17: error: node 5 is no node of a bead",
+                good + "---\nlaw: manual\n": "scene.yaml:4:1: error: a second document in the file",
+                "": "scene.yaml: error: a scene is a map of keys; it begins with: deck: NAME_0000.rad",
+        }.items():
+            with self.subTest(text):
+                self.write("scene.yaml", text)
+                status, out, err = self.run_tool("evaluate", "scene.yaml")
+                self.assertEqual((status, out), (2, ""))
+                self.assertIn(message, err)
+        self.assertFalse((self.folder / "o.csv").exists())
+        self.write("scene.yaml", good)
+        status, _, err = self.run_tool("evaluate", "scene.yaml", "--end", "2")
+        self.assertEqual(status, 2)
+        self.assertIn("--end, --step, --steps and --trace are for decks, and this is a scene", err)
+
+    def test_steps_and_cycles_have_a_limit(self):
+        self.write("d_0000.rad", moved(keep_bead_held=True))
+        status, _, err = self.run_tool("evaluate", "d_0000.rad", "--end", "1e-3", "--step", "1e-30")
+        self.assertEqual(status, 2)
+        self.assertIn("more than 1e8 steps", err)
+        deck, trace = scene("gap_one")
+        lines = gzip.open(trace, "rt").read().splitlines()
+        column = lines[0].split(",").index("ncycle")
+        for cycle in ("-5", "2000000000"):
+            row = lines[1].split(",")
+            row[column] = cycle
+            self.write("t.csv", "\n".join([lines[0], ",".join(row), *lines[2:]]) + "\n")
+            for command in (["audit", deck, "t.csv"], ["evaluate", deck, "--trace", "t.csv"]):
+                status, _, err = self.run_tool(*command)
+                self.assertEqual(status, 2, command)
+                self.assertRegex(err, r"t\.csv:2:\d+: error: ncycle is '" + cycle + "', not a cycle from 0 to 100000000")
+
+    def test_a_negative_restraint_at_rest_has_its_energy(self):
+        deck, _ = scene("negft2")
+        self.write("scene.yaml", f"deck: {deck}\nlaw: solver\ntime: {{end: 2.0e-4, steps: 1}}\nmotion: []\n")
+        status, out, err = self.run_tool("evaluate", "scene.yaml", "--prove")
+        self.assertEqual((status, err), (0, ""))
+        self.assertIn("law solver: the same bits with all effects", out)
+
+    def test_the_balance_begins_with_the_first_cycle(self):
+        deck, trace = scene("negft2")
+        _, out, _ = self.run_tool("evaluate", deck, "--trace", trace, "--law", "solver", "--format", "json")
+        law = loads(out)["beads"][0]["laws"][0]["energy"]
+        sums = [law[key] for key in ("restraint_work", "stored", "dissipated")]
+        self.assertAlmostEqual(sum(sums) - law["created"], 0, delta=1e-9 * max(map(abs, sums)))
+
+    def test_the_same_velocity_in_one_move_or_two(self):
+        self.write("d_0000.rad", (SAMPLES / "strip_straight_0000.rad").read_text())
+        head = "deck: d_0000.rad\nlaw: manual\ntime: {end: 1.0e-2, steps: 1}\nmotion:\n"
+        bead = "  - move: {interface: 1, side: secondary}\n    velocity: {z: %s}\n"
+        blank = "  - move: {surface: 1}\n    velocity: {z: %s}\n"
+        first = []
+        for moves in (bead % "[[0, -2000], [1.0e-2, 2000]]",
+                      bead % -2000 + bead % "[[0, 0], [1.0e-2, 4000]]",
+                      bead % "[[0, 0], [1.0e-2, 4000]]" + blank % 2000):
+            law = self.evaluate(head + moves)["beads"][0]["laws"][0]
+            first.append(law["first_contact"])
+        self.assertIsNotNone(first[0])
+        for t in first[1:]:
+            self.assertAlmostEqual(t, first[0], delta=1e-9 * first[0])
+
+    def test_viscous_work_over_a_jump_of_the_velocity(self):
+        text = (SAMPLES / "slow_viscous_0000.rad").read_text()
+        self.write("d_0000.rad", text)
+        motion = ("motion:\n  - move: {interface: 1, side: secondary}\n    displacement: {z: [[0, 0], [1.0e-3, -3], "
+                  "[1.0e-2, -3]]}\n  - move: {surface: 1}\n    displacement: {x: [[0, 0], [1.0e-3, 0], [5.0e-3, 0.4], "
+                  "[1.0e-2, 0]]}\n")
+        lost = []
+        for steps in (1, 3, 64):
+            report = self.evaluate(f"deck: d_0000.rad\nlaw: manual\ntime: {{end: 1.0e-2, steps: {steps}}}\n" + motion)
+            lost.append(report["beads"][0]["laws"][0]["energy"]["dissipated"])
+        self.assertGreater(lost[0], 0)
+        for value in lost[1:]:
+            self.assertAlmostEqual(value, lost[0], delta=1e-9 * lost[0])
 
     def test_rotation(self):
         self.write("d_0000.rad", tiny())

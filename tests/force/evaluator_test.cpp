@@ -137,6 +137,21 @@ TEST_CASE("time table: linear, beyond its ends too, with exact integrals and slo
     CHECK(constant.corners(0, 9).empty());
 }
 
+TEST_CASE("motion: it turns where the sum of its velocities is zero, not where one of them is") {
+    Motion sum;
+    sum.terms.push_back({true, 2, 1, 1, TimeTable::constant(-2000)});
+    sum.terms.push_back({true, 2, 1, 1, TimeTable({0, 1e-2}, {0, 4000})});
+    CHECK(sum.bends(0, 1e-2).empty());
+    REQUIRE(sum.corners(0, 1e-2).size() == 1);
+    CHECK(sum.corners(0, 1e-2)[0] == Approx(5e-3).epsilon(1e-14));
+    CHECK(sum.accelerates());
+    Motion steady;
+    steady.terms.push_back({true, 0, 1, 1, TimeTable::constant(3)});
+    steady.terms.push_back({false, 1, 1, 1, TimeTable({0, 1, 2}, {0, 1, 0})});
+    CHECK(steady.corners(0, 2) == std::vector<double>{1});
+    CHECK_FALSE(steady.accelerates());
+}
+
 TEST_CASE("motion: velocities are integrated by the midpoint, displacements reach their place") {
     Motion motion;
     motion.terms = {velocity(0, TimeTable({0, 1}, {0, 4})), displacement(1, TimeTable({0, 1}, {0, 3}))};
