@@ -326,7 +326,7 @@ private:
         DataLines lines(deck_, limited(text));
         Span line;
         if (!lines.next(line)) {
-            if (main || !begun_) set_version(here, 0, text);
+            if (main || !begun_) set_version_up(own, 0, text);
             return;
         }
         if (!begun_) deck_.run_name_ = trim(lines.text(line));
@@ -351,8 +351,7 @@ private:
                 set_version(here, version, version_line);
             }
         } else {
-            set_version(here, version, version_line);
-            if (index(own) != 0) set_version(deck_.scopes_.front(), version, version_line, false);
+            set_version_up(own, version, version_line);
         }
         std::array<std::string_view, 3> input, work;
         if (lines.next(line)) input = unit_cells(lines.text(line));
@@ -361,7 +360,8 @@ private:
         UnitSystem read_input = units_from(input, work, version_line);
         here.input = read_input;
         if (!begun_ || main) {
-            if (index(own) != 0) deck_.scopes_.front().input = read_input;
+            for (ScopeId at = own; index(at) != 0; at = scope(at).parent)
+                scope(scope(at).parent).input = read_input;
             deck_.work_ = units_from(work, input, version_line);
         }
     }
@@ -390,6 +390,13 @@ private:
         if (!is_known_layout(version)) notice(Notice::Kind::version_unknown, place, std::to_string(version));
         if (version >= 41 && version <= 44)
             notice(Notice::Kind::version_too_old, place, std::to_string(version));
+    }
+
+    /// The deck's own version: files that are still open around the /BEGIN go on with it after its include.
+    void set_version_up(ScopeId own, int version, const Span& place) {
+        set_version(scope(own), version, place);
+        for (ScopeId at = own; index(at) != 0; at = scope(at).parent)
+            set_version(scope(scope(at).parent), version, place, false);
     }
 
     static std::array<std::string_view, 3> unit_cells(std::string_view line) {

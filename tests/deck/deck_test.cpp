@@ -190,6 +190,31 @@ TEST_CASE("an include of numbers alone is noticed") {
     CHECK(count(deck, Notice::Kind::include_text_dropped) == 1);
 }
 
+TEST_CASE("a /BEGIN in a nested include holds for every file around it") {
+    const std::string head = "#RADIOSS STARTER\n/BEGIN\nrun\n      2022         0\n"
+                             "                  kg                   m                   s\n"
+                             "                  Mg                  mm                   s\n";
+    MemoryReader files;
+    files.add("outer.inc", "#include middle.inc\n/A/1\n");
+    files.add("middle.inc", "#include head.inc\n/B/1\n");
+    files.add("head.inc", head);
+    files.add("bare.inc", "/BEGIN\n");
+    files.add("around.inc", "#include bare.inc\n/A/1\n");
+    const Deck deck = read_deck("#include outer.inc\n/C/1\n/END\n", files);
+    REQUIRE(keywords(deck) == Words{"BEGIN", "B", "A", "C"});
+    for (const Block& block : deck.blocks()) {
+        CHECK(deck.scope(block.scope).version == 2022);
+        CHECK(deck.scope(block.scope).layout == 2022);
+        CHECK(*deck.factor(block.scope, 0, length_dimension) == Approx(1000));
+    }
+    CHECK(deck.notices().empty());
+    // Without a version card the newest layouts hold, everywhere and said once.
+    const Deck bare = read_deck("#include around.inc\n/B/1\n/END\n", files);
+    for (const Block& block : bare.blocks())
+        CHECK(bare.scope(block.scope).layout == 2612);
+    CHECK(count(bare, Notice::Kind::version_unknown) == 1);
+}
+
 TEST_CASE("#enddata before /END is no contradiction") {
     MemoryReader files;
     files.add("a.inc", "/A/1\n#enddata\n\n# the end\n/END\n");
