@@ -220,6 +220,7 @@ private:
                 if (clause.key != "NODENS") continue;
                 plain = plain && !clause.remove && !clause.intersect && group.nodens_clauses.empty();
                 group.nodens_clauses.push_back(clause.place);
+                group.evaluated = group.evaluated && clause.supported;
                 for (const WrittenId& id : clause.nodes)
                     group.listed.push_back({id.id, no_node, id.place});
             }

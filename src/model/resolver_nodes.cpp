@@ -261,6 +261,11 @@ void Resolver::take_set_nodes(BlockIndex block, NodeGroup& group) {
         if (clause.key != "NODENS") continue;
         lost = lost || clause.remove || clause.intersect || !group.nodens_clauses.empty();
         group.nodens_clauses.push_back(clause.place);
+        if (!clause.supported) {
+            report(ReadIssue::Kind::not_supported, clause.place,
+                   "SET clause " + std::string(deck_.text(clause.place)));
+            group.evaluated = false;
+        }
         for (const WrittenId& id : clause.nodes) {
             ListedNode listed{id.id, no_node, id.place};
             if (const auto node = row(Deck::global_id(id.id, deck_.scope(clause.scope).offsets.node))) {
@@ -276,6 +281,7 @@ void Resolver::take_set_nodes(BlockIndex block, NodeGroup& group) {
     if (!group.nodens_clauses.empty()) {
         group.order = lost ? NodeGroup::Order::lost_in_set : NodeGroup::Order::unsorted;
         std::erase_if(group.nodes, [&](NodeRow node) { return removed.count(index(node)) != 0; });
+        if (!group.evaluated) group.nodes.clear();
         return;
     }
     const SetContent content = set_content(block, true);

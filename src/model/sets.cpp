@@ -59,18 +59,20 @@ bool begins_with_letter(std::string_view cell) {
     return !cell.empty() && ((cell[0] >= 'A' && cell[0] <= 'Z') || (cell[0] >= 'a' && cell[0] <= 'z'));
 }
 
-/// The nine cells [11-100] of a clause line.
-void read_clause_cells(const Deck& deck, ScopeId scope, const Span& line, IssueLog& issues,
+/// The nine cells [11-100] of a clause line. Triples of `_G` are cut by column: a blank cell is a 0 in them.
+void read_clause_cells(const Deck& deck, ScopeId scope, const Span& line, bool ranges, IssueLog& issues,
                        std::vector<WrittenId>& ids) {
-    for (uint32_t column = 11; column < 100 && column <= line.size(); column += 10) {
+    for (uint32_t column = 11; column < 100; column += 10) {
+        if (!ranges && column > line.size()) break;
         const Cell cell = read_cell(deck, scope, line, column, 10, Kind::integer);
-        if (issues.check(cell, "id") && cell.given()) ids.push_back({cell.integer, cell.place});
+        if ((issues.check(cell, "id") && cell.given()) || ranges) ids.push_back({cell.integer, cell.place});
     }
 }
 
 void finish(SetClause& clause, bool ranges, const std::vector<WrittenId>& ids, const Deck& deck) {
     if (clause.key == "NODENS") {
-        clause.nodes = ids;
+        clause.supported = clause.supported && !ranges; // which order generated nodes have is not known
+        if (clause.supported) clause.nodes = ids;
         return;
     }
     if (clause.key == "SEG") return;
@@ -88,15 +90,24 @@ void finish(SetClause& clause, bool ranges, const std::vector<WrittenId>& ids, c
         return;
     }
     const int64_t offset = offset_of(deck.scope(clause.scope), *key->kind);
-    for (std::size_t i = 0; i < ids.size(); i += ranges ? 3 : 1) {
-        if (ids[i].id <= 0) continue;
+    const auto add = [&](int64_t first, int64_t last, int64_t step, const Span& place) {
         Member member;
         member.kind = *key->kind;
-        member.first = member.last = Deck::global_id(ids[i].id, offset);
-        member.place = ids[i].place;
-        if (ranges && i + 1 < ids.size()) member.last = Deck::global_id(ids[i + 1].id, offset);
-        if (ranges && i + 2 < ids.size() && ids[i + 2].id > 0) member.step = ids[i + 2].id;
+        member.first = Deck::global_id(first, offset);
+        member.last = Deck::global_id(last, offset);
+        member.step = step;
+        member.place = place;
         clause.members.push_back(member);
+    };
+    if (!ranges) {
+        for (const WrittenId& id : ids)
+            if (id.id > 0) add(id.id, id.id, 1, id.place);
+        return;
+    }
+    for (std::size_t i = 0; i + 2 < ids.size(); i += 3) {
+        const int64_t step = ids[i + 2].id > 0 ? ids[i + 2].id : 1;
+        const int64_t first = ids[i].id == 0 ? step : ids[i].id; // no id is 0
+        if (first > 0 && first <= ids[i + 1].id) add(first, ids[i + 1].id, step, ids[i].place);
     }
 }
 
@@ -126,7 +137,7 @@ void read_block(const Deck& deck, BlockIndex index, IssueLog& issues, std::vecto
             if (read_segment(deck, scope, line, issues, segment)) clauses.back().segments.push_back(segment);
             continue;
         }
-        if (open) read_clause_cells(deck, scope, line, issues, ids);
+        if (open) read_clause_cells(deck, scope, line, ranges, issues, ids);
     }
     if (open) finish(clauses.back(), ranges, ids, deck);
 }

@@ -24,7 +24,7 @@ struct SetClause {
     bool supported = true;
     bool remove = false, intersect = false, reversed = false, all_faces = false;
     std::vector<Member> members;  ///< empty for SEG and NODENS
-    std::vector<WrittenId> nodes; ///< of a NODENS clause, as written
+    std::vector<WrittenId> nodes; ///< of a NODENS clause, as written; empty when it is not supported
     ScopeId scope{};
     std::vector<ListedSegment> segments;
 };

@@ -158,6 +158,21 @@ TEST_CASE("sets as node groups") {
     CHECK(sorted.group().order == Order::sorted);
     const Built range = with_group(set + clause("NODE_G", {101, 103, 2}) + clause("NODE_D", {101}));
     CHECK(range.nodes() == Ids{103});
+    // Triples keep their columns: a blank increment is 1, a blank end holds nothing.
+    const Built blank_step = with_group(set + clause("NODE_G", {1, 2}) + clause("", {101, 102}));
+    CHECK(blank_step.nodes() == Ids{1, 2, 101, 102});
+    const Built one_line =
+        with_group(set + "NODE_G             1         2                 101       103" + "         2\n");
+    CHECK(one_line.nodes() == Ids{1, 2, 101, 103});
+    CHECK(with_group(set + clause("NODE_G", {5}) + clause("", {3, 4, 1})).nodes() == Ids{3, 4});
+    CHECK(with_group(set + "NODE_G                       3         2\n").nodes() == Ids{2});
+    for (const Needs needs : {everything, Needs::none}) {
+        const Built generated = with_group(set + clause("NODENS_G", {101, 103, 1}), "", needs);
+        CHECK_FALSE(generated.group().evaluated);
+        CHECK(generated.group().nodes.empty());
+        CHECK(generated.group().listed.empty());
+        CHECK(generated.issues(ReadIssue::Kind::not_supported) == (needs == Needs::none ? 0 : 1));
+    }
     const Built nested =
         with_group(set + clause("SET", {7}), "/SET/GENERAL/7\ninner\n" + clause("NODE", {6, 5}));
     CHECK(nested.nodes() == Ids{5, 6});
