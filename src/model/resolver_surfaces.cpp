@@ -209,7 +209,8 @@ SurfaceContent Resolver::surface(BlockIndex index) {
             std::vector<ListedSegment>& listed = content.listed[p];
             listed.reserve(pieces[p].size() / 51); // full lines of five cells
             while (lines.next_filled(line))
-                if (read_segment(deck_, block.scope, line, logs[p], segment)) listed.push_back(segment);
+                if (read_segment(deck_, block.scope, line, SegmentLine::plain, logs[p], segment))
+                    listed.push_back(segment);
         });
         for (IssueLog& log : logs)
             for (const ReadIssue& issue : log.take())

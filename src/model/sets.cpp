@@ -62,11 +62,8 @@ bool begins_with_letter(std::string_view cell) {
 /// The nine cells [11-100] of a clause line. Triples of `_G` are cut by column: a blank cell is a 0 in them.
 void read_clause_cells(const Deck& deck, ScopeId scope, const Span& line, bool ranges, IssueLog& issues,
                        std::vector<WrittenId>& ids) {
-    for (uint32_t column = 11; column < 100; column += 10) {
-        if (!ranges && column > line.size()) break;
-        const Cell cell = read_cell(deck, scope, line, column, 10, Kind::integer);
+    for (const Cell& cell : read_card(deck, scope, line, set_ids_card).cells)
         if ((issues.check(cell, "id") && cell.given()) || ranges) ids.push_back({cell.integer, cell.place});
-    }
 }
 
 void finish(SetClause& clause, bool ranges, const std::vector<WrittenId>& ids, const Deck& deck) {
@@ -119,7 +116,7 @@ void read_block(const Deck& deck, BlockIndex index, IssueLog& issues, std::vecto
     Span line;
     while (reader.line(line)) {
         const std::string_view text = deck.text(line);
-        const std::string_view head = trim(text.substr(0, 10));
+        const std::string_view head = trim(text.substr(0, std::min<std::size_t>(10, text.find(','))));
         if (trim(text).empty()) continue;
         if (begins_with_letter(head)) {
             if (open) finish(clauses.back(), ranges, ids, deck);
@@ -132,9 +129,15 @@ void read_block(const Deck& deck, BlockIndex index, IssueLog& issues, std::vecto
             read_key(head, clause, ranges);
             clauses.push_back(std::move(clause));
             open = true;
-        } else if (open && clauses.back().key == "SEG") {
+        }
+        if (open && clauses.back().key == "SEG") {
             ListedSegment segment;
-            if (read_segment(deck, scope, line, issues, segment)) clauses.back().segments.push_back(segment);
+            const bool indented = head.empty() || begins_with_letter(head);
+            if (begins_with_letter(head) && trim(text.substr(std::min<std::size_t>(10, text.size()))).empty())
+                continue;
+            if (read_segment(deck, scope, line, indented ? SegmentLine::indented : SegmentLine::plain, issues,
+                             segment))
+                clauses.back().segments.push_back(segment);
             continue;
         }
         if (open) read_clause_cells(deck, scope, line, ranges, issues, ids);
@@ -160,20 +163,25 @@ std::vector<SetClause> read_set(const Deck& deck, const OptionIndex& index, Bloc
     return clauses;
 }
 
-bool read_segment(const Deck& deck, ScopeId scope, const Span& line, IssueLog& issues,
+bool read_segment(const Deck& deck, ScopeId scope, const Span& line, SegmentLine form, IssueLog& issues,
                   ListedSegment& segment) {
     const Scope& here = deck.scope(scope);
     const int64_t offset = here.offsets.node;
     const auto cut = [](int64_t id) {
         return static_cast<int32_t>(std::clamp<int64_t>(id, -2147483647, 2147483647));
     };
+    const bool indented = form == SegmentLine::indented;
+    std::string_view text = deck.text(line);
+    const bool free_format = text.find(',') != std::string_view::npos;
+    if (indented) text = text.substr(std::min<std::size_t>(10, text.size()));
     std::array<int64_t, 5> plain{};
     segment.line = line;
-    if (read_plain_cells(deck.text(line), here.layout < 45 ? 8 : 10, plain.size(), plain.data())) {
+    if (!free_format &&
+        read_plain_cells(text, here.layout < 45 && !indented ? 8 : 10, plain.size(), plain.data())) {
         for (std::size_t i = 0; i < 4; ++i)
             segment.node[i] = cut(Deck::global_id(plain[i + 1], offset));
     } else {
-        const Card card = read_card(deck, scope, line, segment_card);
+        const Card card = read_card(deck, scope, line, indented ? set_segment_card : segment_card);
         static constexpr std::string_view names[] = {"node_ID1", "node_ID2", "node_ID3", "node_ID4"};
         issues.check(card);
         for (std::size_t i = 0; i < 4; ++i)

@@ -32,7 +32,11 @@ struct SetClause {
 /// The clauses of a set, those of all /SET/COLLECT blocks of its id in deck order.
 std::vector<SetClause> read_set(const Deck&, const OptionIndex&, BlockIndex, IssueLog&);
 
+/// Where a segment stands on its line: from the first column on, as in /SURF/SEG, or behind the ten columns
+/// of a clause's key.
+enum class SegmentLine : uint8_t { plain, indented };
+
 /// The nodes of one segment line: false when it names fewer than three.
-bool read_segment(const Deck&, ScopeId, const Span& line, IssueLog&, ListedSegment&);
+bool read_segment(const Deck&, ScopeId, const Span& line, SegmentLine, IssueLog&, ListedSegment&);
 
 } // namespace drawbead

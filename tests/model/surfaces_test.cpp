@@ -260,6 +260,34 @@ TEST_CASE("surfaces by box, submodel and set; analytical and unknown ones") {
     CHECK(with_cubes("/SET/GENERAL/1\ns\nPART_A             1         2\n").surface().segments.size() == 12);
 }
 
+TEST_CASE(
+    "segments of a set stand on the line of the key and behind its columns, or from the first column on") {
+    const std::string indent(10, ' '), set = "/SET/GENERAL/1\ns\n";
+    const Segments two{{1, 2, 5, 4}, {2, 3, 6, 5}};
+    const std::string first = ids({4, 1, 2, 5, 4}), second = ids({1, 2, 3, 6, 5});
+    const Built on_key = with_surface(set + "SEG       " + first + indent + second);
+    CHECK(on_key.segments() == two);
+    CHECK(on_key.surface().lines.size() == 2);
+    CHECK(on_key.model.issues().empty());
+    CHECK(with_surface(set + "SEG\n" + indent + first + indent + second).segments() == two);
+    CHECK(with_surface(set + "SEG\n" + first + second).segments() == two);
+    CHECK(with_surface(set + "SEG\n\n" + indent + first + "\n" + indent + second).segments() == two);
+    // Two clauses, reversed, a triangle, a blank segment id.
+    CHECK(with_surface(set + "SEG       " + first + "SEG_O     " + second).segments() ==
+          Segments{{1, 2, 5, 4}, {5, 6, 3, 2}});
+    CHECK(with_surface(set + "SEG       " + indent + ids({3, 6, 103})).segments() ==
+          Segments{{3, 6, 103, 103}});
+    CHECK(with_surface(set + "SEG\n,4,1,2,5,4\n" + indent + second).segments() == two);
+    CHECK(with_surface(set + "SEG,4,1,2,5,4\nSHELL,2\n").segments() == two);
+    const std::string named = "/PARAMETER/GLOBAL/INTEGER/1\np\nfive               5\n";
+    const std::string cells = "         4         1         2     &five         4\n";
+    CHECK(with_surface(set + "SEG       " + cells + "SHELL              2\n", named).segments() == two);
+    // What is no number is told at its cell.
+    const Built wrong = with_surface(set + "SEG                4         1        2x         5         4\n");
+    REQUIRE(wrong.model.issues().size() >= 1);
+    CHECK(wrong.deck->text(wrong.model.issues()[0].place) == "2x");
+}
+
 TEST_CASE("elements on nodes that do not exist are left out of surfaces") {
     const Built built = with_surface(part_surface, "/SHELL/1\n" + ids({3, 1, 2, 77, 4}));
     CHECK(built.segments() == Segments{{1, 2, 5, 4}, {2, 3, 6, 5}, {3, 6, 103, 103}});

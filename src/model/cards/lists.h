@@ -1,5 +1,5 @@
 #pragma once
-// Lists of ids, ten to a line, and the lines of /SURF/SEG.
+// Lists of ids, ten to a line, and the lines of segments.
 #include "deck/card.h"
 
 namespace drawbead {
@@ -41,5 +41,23 @@ inline constexpr Field segment_fields[] = {
     {.name = "node_ID4", .column = 41, .since = 45, .link = Link::node},
 };
 inline constexpr CardSchema segment_card{"segment", segment_fields};
+
+/// The ids of a clause of /SET, behind its key.
+inline constexpr Field set_ids_fields[] = {
+    {.name = "1", .column = 11}, {.name = "2", .column = 21}, {.name = "3", .column = 31},
+    {.name = "4", .column = 41}, {.name = "5", .column = 51}, {.name = "6", .column = 61},
+    {.name = "7", .column = 71}, {.name = "8", .column = 81}, {.name = "9", .column = 91},
+};
+inline constexpr CardSchema set_ids_card{"ids of a set", set_ids_fields};
+
+/// A SEG clause of /SET: behind the columns of the key.
+inline constexpr Field set_segment_fields[] = {
+    {.name = "seg_ID", .column = 11},
+    {.name = "node_ID1", .column = 21, .link = Link::node},
+    {.name = "node_ID2", .column = 31, .link = Link::node},
+    {.name = "node_ID3", .column = 41, .link = Link::node},
+    {.name = "node_ID4", .column = 51, .link = Link::node},
+};
+inline constexpr CardSchema set_segment_card{"segment of a set", set_segment_fields};
 
 } // namespace drawbead
