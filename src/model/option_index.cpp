@@ -70,11 +70,13 @@ OptionIndex::OptionIndex(const Deck& deck, IssueLog& issues) {
         const Block& block = blocks[i];
         const std::optional<Family> family = family_of(block.keyword);
         if (!family) continue;
-        const int64_t id = Deck::global_id(block.id, offset_of(deck.scope(block.scope), *family));
+        // Parts of one collection may stand in several submodels: its id is the same in all of them.
+        const bool collected = is_option(block.keyword, "SET/COLLECT");
+        const int64_t offset = collected ? 0 : offset_of(deck.scope(block.scope), *family);
+        const int64_t id = Deck::global_id(block.id, offset);
         const auto f = static_cast<std::size_t>(*family);
         options_[f].push_back({id, i});
         const auto [known, added] = by_id_[f].emplace(id, i);
-        const bool collected = is_option(block.keyword, "SET/COLLECT");
         if (!added && !collected)
             issues.add(ReadIssue::Kind::duplicate_id, block.header,
                        std::string(family_name(*family)) + ' ' + std::to_string(id), {},

@@ -86,7 +86,8 @@ void finish(SetClause& clause, bool ranges, const std::vector<WrittenId>& ids, c
         clause.members.push_back(all);
         return;
     }
-    const int64_t offset = offset_of(deck.scope(clause.scope), *key->kind);
+    // Ids of collections are the same inside and outside of submodels.
+    const int64_t offset = clause.key == "SETCOL" ? 0 : offset_of(deck.scope(clause.scope), *key->kind);
     const auto add = [&](int64_t first, int64_t last, int64_t step, const Span& place) {
         Member member;
         member.kind = *key->kind;

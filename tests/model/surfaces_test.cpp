@@ -260,8 +260,27 @@ TEST_CASE("surfaces by box, submodel and set; analytical and unknown ones") {
     CHECK(with_cubes("/SET/GENERAL/1\ns\nPART_A             1         2\n").surface().segments.size() == 12);
 }
 
-TEST_CASE(
-    "segments of a set stand on the line of the key and behind its columns, or from the first column on") {
+TEST_CASE("a collected set goes on inside a submodel") {
+    // Shell 1 of the submodel becomes 1001, its part 1 becomes 1001; the set's id stays.
+    const std::string inside = steel + sheet + "/PART/1\np\n" + ids({1, 1}) + "/NODE\n" +
+                               node(1, "10.", "0.", "0.") + node(2, "20.", "0.", "0.") +
+                               node(3, "20.", "10.", "0.") + node(4, "10.", "10.", "0.") + "/SHELL/1\n" +
+                               ids({1, 1, 2, 3, 4});
+    const std::string submodel = "//SUBMODEL/1\nsub\n" + ids({1000});
+    const Segments both{{1, 2, 5, 4}, {1001, 1002, 1003, 1004}};
+    const Built collected =
+        with_surface("/SET/COLLECT/1\na\nSHELL              1\n",
+                     submodel + "/SET/COLLECT/1\nb\nPART               1\n" + inside + "//ENDSUB\n");
+    CHECK(collected.segments() == both);
+    CHECK(collected.model.issues().empty());
+    const Built referred = with_surface(
+        "/SET/GENERAL/1\na\nSET             1008\n/SET/COLLECT/7\nc\nSHELL              1\n",
+        submodel + "/SET/GENERAL/8\nb\nSETCOL             7\nPART               1\n" + inside + "//ENDSUB\n");
+    CHECK(referred.segments() == both);
+    CHECK(referred.model.issues().empty());
+}
+
+TEST_CASE("segments of a set stand behind the columns of its key, or from the first column on") {
     const std::string indent(10, ' '), set = "/SET/GENERAL/1\ns\n";
     const Segments two{{1, 2, 5, 4}, {2, 3, 6, 5}};
     const std::string first = ids({4, 1, 2, 5, 4}), second = ids({1, 2, 3, 6, 5});
