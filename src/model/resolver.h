@@ -131,7 +131,11 @@ private:
     unsigned threads_;
     std::map<PartId, std::vector<RowRun>> shells4_of_, shells3_of_, solids_of_;
     std::array<std::map<BlockIndex, NodeSet>, 2>
-        group_cache_;              ///< groups that other groups refer to: whole, restricted
+        group_cache_; ///< groups that other groups refer to: whole, restricted
+    std::map<BlockIndex, std::optional<ElementRows>>
+        element_cache_; ///< groups of elements that something refers to; empty: they cannot be expanded
+    std::array<std::map<BlockIndex, SetContent>, 2>
+        set_cache_;                ///< sets that other sets refer to: without and with nodes
     std::vector<BlockIndex> open_; ///< options being expanded, against recursion
     std::set<std::pair<uint64_t, uint64_t>> reported_;
 };

@@ -102,7 +102,18 @@ ElementRows Resolver::elements(const Member& member, bool& supported) {
                                                                       : Family::brick_group;
         const auto group = index_.find(family, member.first);
         known = group.has_value();
-        if (group) rows = element_group(*group, supported);
+        if (!group) break;
+        auto known_group = element_cache_.find(*group);
+        if (known_group == element_cache_.end()) {
+            bool can = true;
+            ElementRows all = element_group(*group, can);
+            known_group =
+                element_cache_.emplace(*group, can ? std::optional(std::move(all)) : std::nullopt).first;
+        }
+        if (known_group->second)
+            rows = *known_group->second;
+        else
+            supported = false;
         break;
     }
     case MemberKind::box:

@@ -8,6 +8,8 @@ namespace drawbead {
 
 namespace {
 
+constexpr std::size_t most_set_segments = 50'000'000; ///< sets of sets can double at every level
+
 /// Runs of both senses, ascending.
 std::vector<SegmentRun> signed_runs(const RowSet& plus, const RowSet& minus) {
     std::vector<SegmentRun> runs;
@@ -340,7 +342,19 @@ Resolver::SetContent Resolver::set_content(BlockIndex block, bool with_nodes) {
                 }
                 const OpenOption open(open_, *other);
                 if (!open) continue;
-                const SetContent inner = set_content(*other, with_nodes);
+                auto& cache = set_cache_[with_nodes ? 1 : 0];
+                auto known = cache.find(*other);
+                if (known == cache.end()) {
+                    SetContent whole = set_content(*other, with_nodes);
+                    known = cache.emplace(*other, std::move(whole)).first;
+                }
+                const SetContent& inner = known->second;
+                if (content.segments.size() + one.segments.size() + inner.segments.size() >
+                    most_set_segments) {
+                    report(ReadIssue::Kind::not_supported, member.place, "SET", "over 50 million segments");
+                    content.evaluated = false;
+                    return content;
+                }
                 one.plus = unite(one.plus, inner.plus);
                 one.reversed = unite(one.reversed, inner.reversed);
                 one.all_faces = unite(one.all_faces, inner.all_faces);

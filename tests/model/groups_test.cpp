@@ -102,6 +102,28 @@ TEST_CASE("groups of groups that double at every level do not explode") {
     for (int i = 40; i < 100; ++i)
         chain += "/GRNOD/GRNOD/" + std::to_string(i) + "\nlink\n" + ids({i + 1, i + 1});
     CHECK(with_group("/GRNOD/GRNOD/2\ng\n" + ids({40}), chain).nodes() == Ids{101, 102});
+    // Each level names both groups, or sets, of the level below.
+    std::string elements = "/GRSHEL/SHEL/100\nend\n" + ids({2}) + "/GRSHEL/SHEL/200\nend\n" + ids({1});
+    std::string sets = "/SET/GENERAL/100\nend\nSHELL              2\n/SET/GENERAL/200\nend\nNODE       " +
+                       std::string("      102\n");
+    const auto padded = [](int id) {
+        return std::string(10 - std::to_string(id).size(), ' ') + std::to_string(id);
+    };
+    for (int i = 60; i < 100; ++i)
+        for (const int side : {0, 100}) {
+            const std::string own = std::to_string(i + side);
+            elements += "/GRSHEL/GRSHEL/" + own + "\nlink\n" + ids({i + 1, i + 101});
+            sets += "/SET/GENERAL/" + own + "\nlink\nSET       " + padded(i + 1) + padded(i + 101) + "\n";
+        }
+    CHECK(with_group("/GRNOD/GRSHEL/2\ng\n" + ids({60}), elements).nodes() == Ids{1, 2, 3, 4, 5, 6});
+    CHECK(with_group("/SET/GENERAL/2\ng\nSET       " + padded(60) + "\n", sets).nodes() ==
+          Ids{2, 3, 5, 6, 102});
+    // One that cannot be expanded is unknown each time.
+    const Built odd =
+        with_group("/GRNOD/GRSHEL/2\ng\n" + ids({60, 60}),
+                   "/GRSHEL/GRSHEL/60\nlink\n" + ids({61, 61}) + "/GRSHEL/NONE/61\nx\n" + ids({1}));
+    CHECK_FALSE(odd.group().evaluated);
+    CHECK(odd.issues(ReadIssue::Kind::not_supported) >= 1);
 }
 
 TEST_CASE("nodes inside boxes") {
