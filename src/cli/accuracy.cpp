@@ -114,6 +114,10 @@ AccuracyReport report_of(const Loaded& loaded, const Prepared& prepared, const S
     for (const LeftOut& left : prepared.evaluation.left_out)
         out.left_out.emplace_back(left.id, left.why);
     out.notes = loaded.notes;
+    if (study.stride > 1)
+        out.notes.push_back("difference of laws: restraint over time is compared after every " +
+                            std::to_string(study.stride) + " of the scene's " +
+                            std::to_string(out.scene_steps) + " steps");
     out.notes.insert(out.notes.end(), prepared.evaluation.notes.begin(), prepared.evaluation.notes.end());
     return out;
 }

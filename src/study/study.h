@@ -88,6 +88,7 @@ struct Study {
     bool kinked = false; ///< a velocity jumps, a window opens or closes, or contact comes or goes at a blow
     bool rim = false;    ///< the surfaces of the scene are too small
     uint64_t points = 0; ///< nodes of all beads
+    std::size_t stride = 1; ///< steps of the scene from one comparison of the laws' restraint to the next
 };
 
 /// `scene.time` are the scene's own steps; `steps` as integrate() gives them.

@@ -234,6 +234,20 @@ class Accuracy(CommandLineTest):
                                              "number": "float"})
         self.assertEqual(first["cost"]["evaluations"], 38 * (6 * 10 + 2))
 
+    def test_scenes_of_many_steps(self):
+        """Above 20 000 steps the laws meet the reference at some of them, and the report says at which."""
+        text = (SAMPLES / "draw_straight.yaml").read_text().replace("deck: ", f"deck: {SAMPLES}/")
+        errors, notes = [], []
+        for steps in (20000, 20001, 60001):
+            report = self.study(self.write(f"steps{steps}.yaml", text.replace("steps: 500", f"steps: {steps}")))
+            errors.append(report["differences_of_laws"]["solver"]["restraint"])
+            notes.append([note for note in report["notes"] if "compared after every" in note])
+        self.assertGreater(errors[0], 0.01)
+        self.assertAlmostEqual(errors[1] / errors[0], 1, delta=0.02)
+        self.assertAlmostEqual(errors[2] / errors[0], 1, delta=0.1)
+        said = "difference of laws: restraint over time is compared after every {} of the scene's {} steps"
+        self.assertEqual(notes, [[], [said.format(2, 20001)], [said.format(4, 60001)]])
+
     def test_readings(self):
         line = self.study(SAMPLES / "draw_ring.yaml")
         nodes = self.study(SAMPLES / "draw_ring.yaml", "--reference", "nodes")
