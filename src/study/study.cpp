@@ -238,6 +238,7 @@ private:
             measure(row, b, settings);
         for (const Errors& e : row.errors)
             raise(row.worst, e);
+        row.at_floor = row.error() <= 4 * floor();
         return row;
     }
 
@@ -280,9 +281,18 @@ private:
 
     double floor() const { return std::max(out_.reference_error, 1e-13); }
 
+    /// The row of these settings, measured when it is new.
+    std::size_t row_of(const ManualSettings& settings) {
+        const auto known = std::find_if(out_.rows.begin(), out_.rows.end(),
+                                        [&](const StudyRow& row) { return row.settings == settings; });
+        if (known != out_.rows.end()) return static_cast<std::size_t>(known - out_.rows.begin());
+        out_.rows.push_back(measured(settings));
+        return out_.rows.size() - 1;
+    }
+
     /// Each line rule and way of stepping, with steps that double.
     void rows() {
-        if (options_.own) out_.rows.push_back(measured(*options_.own));
+        if (options_.own) row_of(*options_.own);
         std::vector<ManualSettings> columns;
         std::vector<std::pair<LineRule, Tributary>> lines{{{LineRule::Kind::nodes, 2}, Tributary::chord}};
         if (mean_deficit(1) > 1e-13) lines.push_back({{LineRule::Kind::nodes, 2}, Tributary::arc});
@@ -300,6 +310,7 @@ private:
             }
         for (std::size_t c = 0; c < columns.size(); ++c) {
             int rested = 0;
+            uint64_t evaluations = 0;
             double before = std::numeric_limits<double>::infinity();
             for (std::size_t level = coarsest; level <= last_level_ && !out_.rim; ++level) {
                 ManualSettings s = columns[c];
@@ -307,15 +318,14 @@ private:
                 // Twice as many steps cost twice as much; what lines cost is seen with fewer.
                 const uint64_t most = s.line.kind == LineRule::Kind::nodes ? options_.most_evaluations
                                                                            : options_.most_evaluations / 2;
-                if (level > coarsest && 2 * out_.rows.back().cost.evaluations > most) break;
+                if (level > coarsest && 2 * evaluations > most) break;
                 say(c, columns.size(), brief(s));
-                StudyRow row = measured(s);
+                const StudyRow& row = out_.rows[row_of(s)];
+                evaluations = row.cost.evaluations;
                 const double error = row.error();
                 // The floor, be it rounding or another knob's: finer steps change nothing more.
                 rested = error > 0.9 * before || error <= floor() ? rested + 1 : 0;
-                row.at_floor = error <= 4 * floor();
                 before = std::min(before, error);
-                out_.rows.push_back(std::move(row));
                 if (rested >= 3 && (error <= 0.02 || s.kinks == Kinks::split)) break;
             }
         }
@@ -346,9 +356,7 @@ private:
             const auto beside = [&](auto change) {
                 ManualSettings s = base;
                 change(s);
-                const bool known = std::any_of(out_.rows.begin(), out_.rows.end(),
-                                               [&](const StudyRow& row) { return row.settings == s; });
-                if (!known) out_.rows.push_back(measured(s));
+                row_of(s);
             };
             using S = ManualSettings;
             beside([](S& s) { s.projection = Projecting::ratio; });

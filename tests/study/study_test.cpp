@@ -98,6 +98,27 @@ TEST_CASE("study: order 1 in steps where the velocity jumps") {
             CHECK(row.error() < 1e-10);
 }
 
+TEST_CASE("study: every row says when it is at the floor, and settings of the scene's own stand once") {
+    StudyOptions options;
+    options.own.emplace();
+    options.own->steps = 16;
+    options.own->kinks = Kinks::split;
+    const Study study = studied(kinked(), options);
+    CHECK(study.rows[0].settings == *options.own);
+    std::size_t other = 0;
+    for (const StudyRow& row : study.rows) {
+        CHECK(row.at_floor == (row.error() <= 4 * std::max(study.reference_error, 1e-13)));
+        other += row.at_floor && row.settings.search == Searching::tracked;
+        CHECK(std::count_if(study.rows.begin(), study.rows.end(),
+                            [&](const StudyRow& one) { return one.settings == row.settings; }) == 1);
+    }
+    CHECK(study.rows[0].at_floor);
+    CHECK(other > 0);
+    // The other rows are those of a study without own settings.
+    options.own.reset();
+    CHECK(study.rows.size() == studied(kinked(), options).rows.size());
+}
+
 TEST_CASE("study: order 2 where the sheet turns under the bead") {
     Sheet s(quarter(4), {20, 0, 40, 0, 5}, 2100);
     s.blank().turn = Motion::Turn{{60, 60, 0}, {0, 0, 1}, TimeTable({0, 1}, {0, 0.2})};
