@@ -9,6 +9,7 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <tuple>
 
 namespace drawbead {
 
@@ -114,8 +115,7 @@ public:
         laws();
         rows();
         if (out_.rim) return std::move(out_);
-        for (const double tolerance : options_.tolerances)
-            picks(tolerance);
+        picks();
         if (!out_.rows.empty()) front();
         orders();
         times();
@@ -331,10 +331,17 @@ private:
         }
     }
 
-    static std::array<double, 4> price(const StudyRow& row) {
+    /// Errors below the floor are as good as one another: rounding chooses nothing.
+    double counted_error(const StudyRow& row) const { return std::max(row.error(), floor()); }
+
+    /// Where even the error ties, the knobs decide in a fixed order: what is nearer to the defaults comes
+    /// first.
+    auto price(const StudyRow& row) const {
         const StudyCounts& c = row.cost;
-        return {static_cast<double>(c.evaluations), static_cast<double>(c.searches),
-                row.settings.projection == Projecting::exact ? 1.0 : 0.0, row.error()};
+        const ManualSettings& s = row.settings;
+        return std::tuple(c.evaluations, c.searches, s.projection, counted_error(row),
+                          s.number != Number::twice, s.sum != Summing::compensated, s.tributary, s.line.kind,
+                          s.line.points, s.kinks, s.steps, s.search);
     }
 
     std::optional<std::size_t> cheapest(double tolerance) const {
@@ -346,30 +353,55 @@ private:
         return best;
     }
 
-    /// The cheapest within a tolerance; beside it, what its other knobs buy at the same number of
-    /// evaluations.
-    void picks(double tolerance) {
-        StudyPick pick;
-        pick.tolerance = tolerance;
-        if (const auto first = cheapest(tolerance)) {
-            const ManualSettings base = out_.rows[*first].settings;
-            const auto beside = [&](auto change) {
-                ManualSettings s = base;
-                change(s);
-                row_of(s);
-            };
-            using S = ManualSettings;
-            beside([](S& s) { s.projection = Projecting::ratio; });
-            beside([](S& s) { s.search = Searching::tracked; });
-            beside([](S& s) { s.search = Searching::tracked, s.projection = Projecting::ratio; });
-            beside([](S& s) { s.sum = Summing::plain; });
-            beside([](S& s) { s.number = Number::single; });
-            say(0, 1, "knobs beside " + brief(base));
+    /// What the other knobs of a row buy at the same number of evaluations.
+    void add_beside(std::size_t row) {
+        const ManualSettings base = out_.rows[row].settings;
+        say(0, 1, "knobs beside " + brief(base));
+        const auto beside = [&](auto change) {
+            ManualSettings s = base;
+            change(s);
+            row_of(s);
+        };
+        using S = ManualSettings;
+        beside([](S& s) { s.projection = Projecting::ratio; });
+        beside([](S& s) { s.search = Searching::tracked; });
+        beside([](S& s) { s.search = Searching::tracked, s.projection = Projecting::ratio; });
+        beside([](S& s) { s.sum = Summing::plain; });
+        beside([](S& s) { s.number = Number::single; });
+    }
+
+    /// The cheapest within each tolerance. First all rows, then the choice: what is chosen for one tolerance
+    /// must not depend on which others are asked for.
+    void picks() {
+        const auto is_base = [](const ManualSettings& s) {
+            const ManualSettings defaults;
+            return s.projection == defaults.projection && s.search == defaults.search &&
+                   s.sum == defaults.sum && s.number == defaults.number;
+        };
+        for (std::size_t before = 0; before != out_.rows.size();) {
+            before = out_.rows.size();
+            for (const double tolerance : options_.tolerances) {
+                const auto first = cheapest(tolerance);
+                if (!first) continue;
+                add_beside(*first);
+                // And those that cost as many evaluations: their other knobs may be cheaper still.
+                const uint64_t evaluations = out_.rows[*first].cost.evaluations;
+                for (std::size_t i = 0; i < before; ++i)
+                    if (out_.rows[i].cost.evaluations == evaluations && out_.rows[i].error() <= tolerance &&
+                        is_base(out_.rows[i].settings))
+                        add_beside(i);
+            }
         }
-        pick.row = cheapest(tolerance);
-        for (std::size_t i = 0; i < out_.rows.size(); ++i)
-            if (out_.rows[i].error() < out_.rows[pick.best].error()) pick.best = i;
-        out_.picks.push_back(pick);
+        for (const double tolerance : options_.tolerances) {
+            StudyPick pick;
+            pick.tolerance = tolerance;
+            pick.row = cheapest(tolerance);
+            for (std::size_t i = 0; i < out_.rows.size(); ++i)
+                if (std::pair(counted_error(out_.rows[i]), price(out_.rows[i])) <
+                    std::pair(counted_error(out_.rows[pick.best]), price(out_.rows[pick.best])))
+                    pick.best = i;
+            out_.picks.push_back(pick);
+        }
     }
 
     void front() {

@@ -54,14 +54,19 @@ Sheet kinked() {
     return s;
 }
 
+/// What decides between rows within a tolerance, as docs/accuracy.md says it.
+auto price(const Study& study, const StudyRow& row) {
+    return std::tuple(row.cost.evaluations, row.cost.searches, row.settings.projection == Projecting::exact,
+                      std::max({row.error(), study.reference_error, 1e-13}));
+}
+
 /// The picks are what was asked, and nothing cheaper is.
 void check_picks(const Study& study) {
     for (const StudyPick& pick : study.picks) {
         REQUIRE(pick.row);
         CHECK(study.rows[*pick.row].error() <= pick.tolerance);
         for (const StudyRow& row : study.rows)
-            if (row.cost.evaluations < study.rows[*pick.row].cost.evaluations)
-                CHECK(row.error() > pick.tolerance);
+            if (price(study, row) < price(study, study.rows[*pick.row])) CHECK(row.error() > pick.tolerance);
     }
 }
 
@@ -96,6 +101,29 @@ TEST_CASE("study: order 1 in steps where the velocity jumps") {
     for (const StudyRow& row : study.rows)
         if (row.settings.kinks == Kinks::split && row.settings.number == Number::twice)
             CHECK(row.error() < 1e-10);
+}
+
+TEST_CASE("study: what is picked for one tolerance does not depend on the others") {
+    const std::vector<double> all{1e-1, 1e-2, 3e-3, 1e-3, 1e-4, 1e-5};
+    for (const Sheet& s : {smooth(quarter(9)), smooth(), kinked()}) {
+        StudyOptions options;
+        options.tolerances = all;
+        const Study together = studied(s, options);
+        check_picks(together);
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            options.tolerances = {all[i]};
+            const Study alone = studied(s, options);
+            REQUIRE(alone.picks[0].row);
+            CHECK(alone.rows[*alone.picks[0].row].settings == together.rows[*together.picks[i].row].settings);
+        }
+    }
+    // Sums and numbers that rounding alone tells apart stay what they are by default.
+    const Study study = studied(smooth());
+    for (const StudyPick& pick : study.picks) {
+        CHECK(study.rows[*pick.row].settings == study.rows[*study.picks[0].row].settings);
+        CHECK(study.rows[*pick.row].settings.sum == Summing::compensated);
+        CHECK(study.rows[*pick.row].settings.number == Number::twice);
+    }
 }
 
 TEST_CASE("study: every row says when it is at the floor, and settings of the scene's own stand once") {
