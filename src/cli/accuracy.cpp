@@ -13,6 +13,9 @@ namespace drawbead {
 
 namespace {
 
+/// The reference keeps its state at the end of every step of the scene's own settings.
+constexpr uint64_t most_own_steps = 100'000;
+
 AccuracyErrors list(const Errors& e) {
     return {e.begin(), e.end()};
 }
@@ -143,6 +146,13 @@ int run(const AccuracyCommand& command) {
     loaded->scene.output = {}; // nothing is written but the study
     const std::optional<ManualSettings> own = loaded->scene.accuracy;
     loaded->scene.accuracy.reset();
+    if (own && own->steps > most_own_steps) {
+        const ScenePlace at = loaded->scene.accuracy_steps;
+        return fail(
+            {"accuracy compares at most " + std::to_string(most_own_steps) + " steps with its reference",
+             loaded->scene.path, at.line, at.column,
+             "give fewer steps, or leave 'accuracy' out: 'drawbead evaluate' takes up to 1e8"});
+    }
 
     StudyOptions options;
     options.truth = static_cast<Truth>(command.reference);

@@ -180,6 +180,7 @@ private:
         const int64_t count = whole(steps, "steps");
         if (count < 1 || static_cast<double>(count) > 1e8) fail(steps, "steps must be 1 to 1e8");
         settings.steps = static_cast<uint64_t>(count);
+        scene_.accuracy_steps = place(steps);
         if (const YAML::Node line = node["line"]) settings.line = line_rule(line);
         for (const Knob& knob : knobs()) {
             const YAML::Node value = node[std::string(knob.key)];

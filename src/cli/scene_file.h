@@ -46,6 +46,7 @@ struct Scene {
     } output;
     std::optional<ManualSettings>
         accuracy; ///< how finely the manual's law is evaluated; empty: exactly in time
+    ScenePlace accuracy_steps;
     bool deck_motion = true;
     std::vector<Motion> motions;
     std::vector<SceneMove> moves; ///< one motion may move several things

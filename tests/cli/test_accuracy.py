@@ -271,6 +271,10 @@ class Accuracy(CommandLineTest):
                 status, out, err = self.run_tool(command, "scene.yaml")
                 self.assertEqual((status, out), (2, ""))
                 self.assertIn("scene.yaml:" + message, err)
+        self.write("scene.yaml", f"deck: {deck}\ntime: {{end: 1, steps: 3}}\naccuracy: {{line: nodes, steps: 100001}}\n")
+        status, out, err = self.run_tool("accuracy", "scene.yaml")
+        self.assertEqual((status, out), (2, ""))
+        self.assertIn("scene.yaml:3:32: error: accuracy compares at most 100000 steps with its reference", err)
         self.write("binary.yaml", bytes(range(256)) * 20)
         (self.folder / "folder.yaml").mkdir()
         for name, message in {"missing.yaml": "cannot be read", "folder.yaml": "cannot be read",
