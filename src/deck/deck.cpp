@@ -15,6 +15,14 @@ namespace {
 constexpr std::array<int, 21> known_layouts{41,   42,   44,   51,   90,   100,  110,  120,  130,  140, 2017,
                                             2018, 2019, 2020, 2021, 2022, 2023, 2024, 2025, 2026, 2612};
 
+/// The card of //SUBMODEL behind its title.
+constexpr Field submodel_fields[] = {
+    {.name = "off_def", .column = 1},   {.name = "off_nod", .column = 11}, {.name = "off_ele", .column = 21},
+    {.name = "off_part", .column = 31}, {.name = "off_mat", .column = 41}, {.name = "off_type", .column = 51},
+    {.name = "off_sub", .column = 61},
+};
+constexpr CardSchema submodel_card{"offsets", submodel_fields};
+
 bool is_known_layout(int version) {
     return std::find(known_layouts.begin(), known_layouts.end(), version) != known_layouts.end();
 }
@@ -634,10 +642,10 @@ private:
         DataLines lines(deck_, limited(header.text));
         Span line;
         if (!lines.next(line) || !lines.next(line)) return;
-        std::array<int64_t, 7> offset{};
+        const Card card = read_card(deck_, id, line, submodel_card);
+        std::array<int64_t, std::size(submodel_fields)> offset{};
         for (std::size_t i = 0; i < offset.size(); ++i)
-            offset[i] =
-                read_cell(deck_, id, line, static_cast<uint32_t>(1 + 10 * i), 10, Kind::integer).integer;
+            offset[i] = offset_from(card.cells[i], submodel_fields[i].name, number.value);
         auto specific = [&](std::size_t i) { return offset[i] ? offset[i] : offset[0]; };
         own.offsets.general += offset[0];
         own.offsets.node += specific(1);
@@ -646,6 +654,32 @@ private:
         own.offsets.material += specific(4);
         own.offsets.property += specific(5);
         own.offsets.submodel += specific(6);
+    }
+
+    /// One offset of a submodel; what is wrong with its cell is noticed.
+    int64_t offset_from(const Cell& cell, std::string_view field, int64_t submodel) {
+        const std::string where = std::string(field) + " of submodel " + std::to_string(submodel);
+        switch (cell.state) {
+        case CellState::garbage:
+            notice(Notice::Kind::offset_not_understood, cell.place, cell.text,
+                   where + " is not a number: the solver reads 0");
+            break;
+        case CellState::not_finite:
+            notice(Notice::Kind::offset_not_understood, cell.place, cell.text,
+                   where + " is larger than any id can be");
+            break;
+        case CellState::trailing:
+            notice(Notice::Kind::offset_not_understood, cell.place, cell.text,
+                   where + " is read as " + std::to_string(cell.integer) + ": the rest is dropped");
+            break;
+        case CellState::unknown_parameter:
+            notice(Notice::Kind::unknown_parameter, cell.place, cell.text.substr(cell.text.find('&') + 1),
+                   where);
+            break;
+        default:
+            break;
+        }
+        return cell.given() ? cell.integer : 0;
     }
 
     struct PendingId {

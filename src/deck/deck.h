@@ -52,6 +52,7 @@ struct Notice {
         encrypted, ///< block content cannot be read
         end_missing,
         submodel_not_closed,
+        offset_not_understood, ///< on the card of a //SUBMODEL; `detail` says which, and what is read
     };
     Kind kind;
     Span place;

@@ -124,6 +124,46 @@ TEST_CASE("submodel offsets as measured in the solver, nested ones add up") {
     CHECK(Deck::global_id(0, 100) == 0);
 }
 
+TEST_CASE("offsets of a submodel in free format, by parameters, and what is no number") {
+    const auto offsets = [](const std::string& card) {
+        const Deck deck = read_deck(begin_2022 + "/PARAMETER/GLOBAL/INTEGER/1\noff\noff             1000\n" +
+                                    "//SUBMODEL/1\nsub\n" + card + "\n/A/1\n//ENDSUB\n/END\n");
+        for (const Block& block : deck.blocks())
+            if (block.keyword == "A")
+                return std::pair(deck.scope(block.scope).offsets, deck.notices().size());
+        throw std::out_of_range("/A");
+    };
+    const Offsets thousand{1000, 1000, 1000, 1000, 1000, 1000, 1000};
+    CHECK(offsets("      1000") == std::pair(thousand, std::size_t{0}));
+    CHECK(offsets("1000,0,0,0,0,0,0") == std::pair(thousand, std::size_t{0}));
+    CHECK(offsets("1000,") == std::pair(thousand, std::size_t{0}));
+    CHECK(offsets("100,200,,400") == std::pair(Offsets{100, 200, 100, 400, 100, 100, 100}, std::size_t{0}));
+    CHECK(offsets("&off,,20") == std::pair(Offsets{1000, 1000, 20, 1000, 1000, 1000, 1000}, std::size_t{0}));
+    CHECK(offsets("") == std::pair(Offsets{}, std::size_t{0}));
+    struct Wrong {
+        const char *card, *subject, *detail;
+    };
+    for (const Wrong& wrong :
+         {Wrong{"      O100", "O100", "off_def of submodel 7 is not a number: the solver reads 0"},
+          Wrong{"              1 00", "1 00", "off_nod of submodel 7 is read as 1: the rest is dropped"},
+          Wrong{"9999999999", "9999999999", "off_def of submodel 7 is larger than any id can be"},
+          Wrong{"1,2,x", "x", "off_ele of submodel 7 is not a number: the solver reads 0"}}) {
+        const Deck deck =
+            read_deck(begin_2022 + "//SUBMODEL/7\nsub\n" + wrong.card + "\n/A/1\n//ENDSUB\n/END\n");
+        REQUIRE(deck.notices().size() == 1);
+        const Notice& notice = deck.notices()[0];
+        CHECK(notice.kind == Notice::Kind::offset_not_understood);
+        CHECK(notice.subject == wrong.subject);
+        CHECK(notice.detail == wrong.detail);
+        CHECK(deck.text(notice.place) == wrong.subject);
+    }
+    const Deck unknown = read_deck(begin_2022 + "//SUBMODEL/7\nsub\n     &gone\n/A/1\n//ENDSUB\n/END\n");
+    REQUIRE(unknown.notices().size() == 1);
+    CHECK(unknown.notices()[0].kind == Notice::Kind::unknown_parameter);
+    CHECK(unknown.notices()[0].subject == "gone");
+    CHECK(unknown.notices()[0].detail == "off_def of submodel 7");
+}
+
 TEST_CASE("units: input against work, /UNIT, blank cards, old keywords") {
     const std::string head =
         "/BEGIN\nrun\n      2022         0\n                  kg                   m                   s\n";

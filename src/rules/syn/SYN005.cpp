@@ -42,10 +42,18 @@ void check(const RuleContext& context, FindingSink& sink) {
         sink.add(std::move(draft));
     }
     for (const Notice& notice : context.deck.notices()) {
-        if (notice.kind != Notice::Kind::header_id_overflow) continue;
+        if (notice.kind != Notice::Kind::header_id_overflow &&
+            notice.kind != Notice::Kind::offset_not_understood)
+            continue;
         Draft draft;
         draft.primary = notice.place;
         draft.discriminator = notice.subject;
+        if (notice.kind == Notice::Kind::offset_not_understood) {
+            draft.message = quoted(notice.subject) + " in " + notice.detail;
+            draft.help = "write the offset as a whole number in its ten columns";
+            sink.add(std::move(draft));
+            continue;
+        }
         draft.severity = Severity::warning;
         draft.message = quoted(notice.subject) + " in a header is larger than any id can be";
         draft.help = "ids end at 1100000000";

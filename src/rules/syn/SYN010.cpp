@@ -28,8 +28,10 @@ void check(const RuleContext& context, FindingSink& sink) {
         Draft draft;
         draft.primary = notice.place;
         draft.discriminator = notice.subject;
+        // In a header, unless the notice says where.
         draft.message =
-            quoted("&" + notice.subject) + " in a header is not defined by a /PARAMETER: the id is read as 0";
+            quoted("&" + notice.subject) + " in " + (notice.detail.empty() ? "a header" : notice.detail) +
+            " is not defined by a /PARAMETER: " + (notice.detail.empty() ? "the id" : "it") + " is read as 0";
         note_lost_include(context, "the parameter", draft);
         draft.help = "define the parameter; names are case-sensitive, at most 9 characters";
         sink.add(std::move(draft));
