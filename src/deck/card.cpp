@@ -144,10 +144,10 @@ Card read_card(const Deck& deck, ScopeId scope, Span line, const CardSchema& sch
     card.cells.resize(schema.fields.size());
     const std::string_view text = deck.text(line);
     const int layout = deck.scope(scope).layout;
-    const bool any_text = std::any_of(schema.fields.begin(), schema.fields.end(), [&](const Field& f) {
-        return f.kind == Kind::text && holds(f, layout);
+    const bool any_number = std::any_of(schema.fields.begin(), schema.fields.end(), [&](const Field& f) {
+        return f.kind != Kind::text && holds(f, layout);
     });
-    card.free_format = !any_text && text.find(',') != std::string_view::npos;
+    card.free_format = any_number && text.find(',') != std::string_view::npos;
     if (card.free_format) {
         const auto fields = free_fields(text);
         const auto position = free_positions(schema, layout);

@@ -83,7 +83,7 @@ struct Card {
 
 /// Reads `line` (a place in `scope`'s file) by the schema's layout for the scope's version. Cells are cut by
 /// column; a line with a comma is cut at commas, each gap between fields counting as one empty field. `&name`
-/// is replaced.
+/// is replaced. Cards of nothing but text have no free format.
 Card read_card(const Deck&, ScopeId, Span line, const CardSchema&);
 /// A card whose line does not exist.
 Card missing_card(const Deck&, ScopeId, const CardSchema&);

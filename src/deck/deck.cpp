@@ -15,6 +15,22 @@ namespace {
 constexpr std::array<int, 21> known_layouts{41,   42,   44,   51,   90,   100,  110,  120,  130,  140, 2017,
                                             2018, 2019, 2020, 2021, 2022, 2023, 2024, 2025, 2026, 2612};
 
+/// The second card of /BEGIN.
+constexpr Field version_fields[] = {{.name = "Invers", .column = 1}, {.name = "Irun", .column = 11}};
+constexpr CardSchema version_card{"version", version_fields};
+
+/// /PARAMETER of a number; its text is evaluated once all of them are known.
+constexpr Field real_parameter_fields[] = {
+    {.name = "name", .column = 1, .kind = Kind::text},
+    {.name = "value", .column = 11, .width = 20, .kind = Kind::real},
+};
+constexpr CardSchema real_parameter_card{"parameter", real_parameter_fields};
+constexpr Field integer_parameter_fields[] = {
+    {.name = "name", .column = 1, .kind = Kind::text},
+    {.name = "value", .column = 11},
+};
+constexpr CardSchema integer_parameter_card{"parameter", integer_parameter_fields};
+
 /// The card of //SUBMODEL behind its title.
 constexpr Field submodel_fields[] = {
     {.name = "off_def", .column = 1},   {.name = "off_nod", .column = 11}, {.name = "off_ele", .column = 21},
@@ -342,13 +358,13 @@ private:
         Span version_line = line;
         if (lines.next(line)) {
             version_line = line;
-            const std::string_view all = lines.text(line);
-            IntegerCell cell = parse_integer(all.substr(0, 10));
-            if (cell.state == NumberState::ok || cell.state == NumberState::trailing) {
-                version = static_cast<int>(cell.value);
+            const Card card = read_card(deck_, own, line, version_card);
+            if (const Cell& cell = card["Invers"]; cell.given()) {
+                version = static_cast<int>(cell.integer);
                 // Layout 44 has cells of 8 columns: the next one may begin in columns 9 and 10.
-                const IntegerCell narrow = parse_integer(all.substr(0, 8));
-                if (!is_known_layout(version) && narrow.value >= 41 && narrow.value <= 44)
+                const IntegerCell narrow = parse_integer(lines.text(line).substr(0, 8));
+                if (!card.free_format && !is_known_layout(version) && narrow.value >= 41 &&
+                    narrow.value <= 44)
                     version = static_cast<int>(narrow.value);
             }
         }
@@ -477,7 +493,10 @@ private:
             raw.expression = kind.size() > 5 && kind.substr(kind.size() - 5) == "_EXPR";
             DataLines lines(deck_, block);
             Span line;
-            if (!lines.next(line) || !lines.next(line)) continue;
+            if (!lines.next(line) || !lines.next(line)) {
+                notice(Notice::Kind::bad_parameter, block.header, "");
+                continue;
+            }
             const std::string_view card = lines.text(line);
             raw.name = trim(card.substr(0, 10));
             raw.place = line;
@@ -493,10 +512,16 @@ private:
             } else if (raw.kind == Parameter::Kind::text) {
                 if (lines.next(line)) raw.text = lines.text(line);
             } else {
-                const std::size_t width = raw.kind == Parameter::Kind::integer ? 10 : 20;
-                raw.text = card.size() > 10 ? trim(card.substr(10, width)) : std::string_view{};
+                const Card cells = read_card(deck_, block.scope, line,
+                                             raw.kind == Parameter::Kind::integer ? integer_parameter_card
+                                                                                  : real_parameter_card);
+                raw.name = cells["name"].text;
+                raw.text = cells["value"].text;
             }
-            if (!raw.name.empty()) raw_parameters_.push_back(std::move(raw));
+            if (raw.name.empty())
+                notice(Notice::Kind::bad_parameter, line, "");
+            else
+                raw_parameters_.push_back(std::move(raw));
         }
     }
 

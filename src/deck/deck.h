@@ -46,7 +46,8 @@ struct Notice {
         submodel_version, ///< Vnnn on //SUBMODEL, which readers do not apply
         unit_not_understood,
         unknown_parameter,
-        bad_parameter,    ///< its value or expression cannot be evaluated
+        bad_parameter,    ///< its value or expression cannot be evaluated; no subject: it has no card, or no
+                          ///< name
         keyword_indented, ///< blanks before the slash
         header_id_overflow,
         encrypted, ///< block content cannot be read

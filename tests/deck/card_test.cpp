@@ -62,6 +62,28 @@ TEST_CASE("a comma makes a line free-format, and gaps of the layout count as fie
     CHECK(mixed.card["value"].state == CellState::blank);
 }
 
+TEST_CASE("words among numbers have a free format, cards of words alone have none") {
+    static constexpr std::array<Field, 3> mixed{
+        {{"funct", 1, 10, Kind::integer}, {"dir", 11, 10, Kind::text}, {"grnd", 31, 10, Kind::integer}}};
+    static constexpr CardSchema mixed_card{"mixed", mixed},
+        words_card{"words", std::span(mixed).subspan(1, 1)};
+    const Deck deck = read_deck(begin_2022 + "/X/1\n 4,X,, 7\n/Y/1\n          a, b\n/END\n");
+    const auto line_of = [&](std::size_t block) {
+        DataLines lines(deck, deck.blocks()[block]);
+        Span line;
+        REQUIRE(lines.next(line));
+        return line;
+    };
+    const Card free = read_card(deck, ScopeId{0}, line_of(1), mixed_card);
+    CHECK(free.free_format);
+    CHECK(free["funct"].integer == 4);
+    CHECK(free["dir"].text == "X");
+    CHECK(free["grnd"].integer == 7);
+    const Card words = read_card(deck, ScopeId{0}, line_of(2), words_card);
+    CHECK_FALSE(words.free_format);
+    CHECK(words["dir"].text == "a, b");
+}
+
 TEST_CASE("cells keep what the solver would lose") {
     const Read cells = read(2022, "     1 2 3       abc          9999999999        1.0.2");
     CHECK(cells.card["grnd"].state == CellState::trailing);

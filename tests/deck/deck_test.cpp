@@ -289,6 +289,40 @@ TEST_CASE("padded unit keywords, and the byte that old editors end a file with")
           "the lines of the file end with a carriage return alone: all of it is one line");
 }
 
+TEST_CASE("the cards of /BEGIN and /PARAMETER in free format") {
+    const std::string units = "                  kg                   m                   s\n"
+                              "                  Mg                  mm                   s\n";
+    for (const char* card : {"120,0", "120,", " 120 , 1"}) {
+        const Deck deck = read_deck("/BEGIN\nrun\n" + std::string(card) + "\n" + units + "/A/1\n/END\n");
+        CHECK(deck.root().version == 120);
+        CHECK(deck.root().layout == 120);
+        CHECK(*deck.factor(ScopeId{0}, 0, length_dimension) == Approx(1000));
+        CHECK(deck.notices().empty());
+    }
+    const Deck deck =
+        read_deck(begin_2022 + "/PARAMETER/GLOBAL/REAL/1\nt\nft,80.\n"
+                               "/PARAMETER/GLOBAL/INTEGER/2\nt, u\nn ,  7 , 3\n"
+                               "/PARAMETER/GLOBAL/REAL_EXPR/3\nt\nhi        max(ft,n)\n"
+                               "/PARAMETER/GLOBAL/TEXT/4\nt\nword              10\na, b\n/END\n");
+    CHECK(deck.notices().empty());
+    CHECK(deck.parameter(ScopeId{0}, "ft")->value == 80);
+    CHECK(deck.parameter(ScopeId{0}, "n")->value == 7);
+    CHECK(deck.parameter(ScopeId{0}, "hi")->value == 80);
+    CHECK(deck.parameter(ScopeId{0}, "word")->text == "a, b");
+}
+
+TEST_CASE("a /PARAMETER without its card, or without a name, is noticed") {
+    for (const char* kind : {"REAL", "INTEGER", "REAL_EXPR", "TEXT"}) {
+        const std::string header = "/PARAMETER/GLOBAL/" + std::string(kind) + "/1\n";
+        for (const char* rest : {"title\n", "", "title\n                 80.\n"}) {
+            const Deck deck = read_deck(begin_2022 + header + rest + "/END\n");
+            REQUIRE(deck.notices().size() == 1);
+            CHECK(deck.notices()[0].kind == Notice::Kind::bad_parameter);
+            CHECK(deck.notices()[0].subject.empty());
+        }
+    }
+}
+
 TEST_CASE("the newest version has no warning") {
     CHECK(read_deck(begin_of(2612) + "/END\n").notices().empty());
 }

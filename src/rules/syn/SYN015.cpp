@@ -11,6 +11,12 @@ void check(const RuleContext& context, FindingSink& sink) {
         Draft draft;
         draft.primary = notice.place;
         draft.discriminator = notice.subject;
+        if (notice.subject.empty()) {
+            draft.message = "the /PARAMETER has no name: nothing can refer to it";
+            draft.help = "behind the title, write a line with the name in columns 1 to 10, then the value";
+            sink.add(std::move(draft));
+            continue;
+        }
         draft.message = "the value " + quoted(notice.detail) + " of parameter " + quoted(notice.subject) +
                         " cannot be evaluated: it is taken as 0";
         draft.help = "look for names that are not defined, and for parameters that refer to one another";
