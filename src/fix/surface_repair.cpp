@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -261,6 +262,7 @@ private:
             uint32_t column;
             std::string key;
             bool was_reversed;
+            std::optional<Span> free; ///< the key where commas cut the line
         };
         std::vector<Change> changes;
         for (const SurfaceSource& source : surface_.sources) {
@@ -273,11 +275,16 @@ private:
             const Span line{source.place.file, begin, begin + file.line_at(begin).size()};
             const auto column = static_cast<uint32_t>(source.place.begin - begin) + 1;
             if ((!plain && !reversed) || column + name.size() + 1 > 10) return false;
-            changes.push_back({line, column, name, reversed});
+            const bool free = deck_.text(line).find(',') != std::string_view::npos;
+            changes.push_back(
+                {line, column, name, reversed, free ? std::optional(source.place) : std::nullopt});
         }
         for (const Change& c : changes)
-            planner_.cells().set_columns(c.line, c.column, static_cast<uint32_t>(c.key.size()) + 2,
-                                         c.key + (c.was_reversed ? "  " : "_O"));
+            if (c.free)
+                planner_.cells().replace(*c.free, c.key + (c.was_reversed ? "" : "_O"));
+            else
+                planner_.cells().set_columns(c.line, c.column, static_cast<uint32_t>(c.key.size()) + 2,
+                                             c.key + (c.was_reversed ? "  " : "_O"));
         fix_.title = "clauses of the set reversed";
         return true;
     }

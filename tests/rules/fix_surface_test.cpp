@@ -214,6 +214,16 @@ TEST_CASE("the smallest edit is made") {
     set.flipped = all_of(set);
     CHECK(fixed_files(set.files(), repaired(set)).at("deck.rad").find("PART_O             1") !=
           std::string::npos);
+    // Where commas cut the line, the ids have no columns to keep.
+    Files free = set.files();
+    std::string& text = free.at("deck.rad");
+    const std::string clause = "PART               1";
+    REQUIRE(text.find(clause) != std::string::npos);
+    text.replace(text.find(clause), clause.size(), "PART,1");
+    outcome = fix(free);
+    CHECK(title_of(outcome) == "clauses of the set reversed");
+    CHECK(side_findings(outcome.after).empty());
+    CHECK(fixed_files(free, outcome).at("deck.rad").find("\nPART_O,1") != std::string::npos);
 
     SheetDeck groups;
     groups.surface = Form::grshel;
