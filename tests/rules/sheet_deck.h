@@ -104,7 +104,7 @@ struct SheetDeck {
         }
         std::string text;
         for (const auto& [header, rows] : tables)
-            text += header + "\n" + rows;
+            text.append(header).append("\n").append(rows);
         return text;
     }
 
