@@ -2,7 +2,6 @@
 #include "cli/scene_file.h"
 
 #include "base/nearest.h"
-#include "rules/text.h"
 
 #include <yaml-cpp/yaml.h>
 
@@ -29,10 +28,8 @@ public:
     SceneParser(std::string_view text, const std::string& path) : text_(text), path_(path) {}
 
     Scene parse() {
-        const std::vector<YAML::Node> documents = YAML::LoadAll(std::string(text_));
-        if (documents.size() > 1)
-            fail(documents[1], "a second document in the file", "leave one scene, without --- behind it");
-        const YAML::Node root = documents.empty() ? YAML::Node() : documents.front();
+        refuse_second_document();
+        const YAML::Node root = YAML::Load(std::string(text_));
         if (!root.IsMap()) fail(root, "a scene is a map of keys", "it begins with: deck: NAME_0000.rad");
         only(root, {"deck", "interfaces", "law", "time", "accuracy", "output", "motion"});
         scene_.path = path_;
@@ -50,6 +47,26 @@ public:
     }
 
 private:
+    /// yaml-cpp reads the first document and says nothing of others. A line that begins with --- is never
+    /// anything but the start of one.
+    void refuse_second_document() const {
+        bool begun = false;
+        uint64_t line = 1;
+        for (std::size_t at = 0; at < text_.size(); ++line) {
+            const std::size_t end = std::min(text_.find('\n', at), text_.size());
+            const std::string_view one = text_.substr(at, end - at);
+            const bool marker = one.substr(0, 3) == "---" &&
+                                one.substr(3, 1).find_first_not_of(" \t\r") == std::string_view::npos;
+            if (marker && begun)
+                throw SceneError{Error{"a second document in the file", path_, line, 1,
+                                       "leave one scene, without --- behind it"}};
+            const std::size_t first = one.find_first_not_of(" \t\r");
+            begun =
+                begun || marker || (first != std::string_view::npos && one[first] != '#' && one[0] != '%');
+            at = end + 1;
+        }
+    }
+
     static ScenePlace place(const YAML::Node& node) {
         const YAML::Mark mark = node.Mark();
         return {static_cast<uint64_t>(mark.line + 1), static_cast<uint32_t>(mark.column + 1)};
@@ -406,10 +423,12 @@ std::vector<double> equal_steps(double end, std::optional<double> step, std::opt
 }
 
 Result<void> check_tables(const Scene& scene, double end) {
+    std::ostringstream text;
+    text << end;
     for (const Scene::Table& table : scene.tables)
         if (table.first > 0 || table.last < end * (1 - 1e-12))
-            return Error{"the table does not cover the run, 0 to " + number(end, 6), scene.path,
-                         table.place.line, table.place.column, "give its first and last point there"};
+            return Error{"the table does not cover the run, 0 to " + text.str(), scene.path, table.place.line,
+                         table.place.column, "give its first and last point there"};
     return {};
 }
 

@@ -348,7 +348,7 @@ motion:
         for text, message in {
                 good + "interfaces: [7, 8]\n": "scene.yaml:3:13: error: no /INTER/TYPE8 with id 8; the deck has 7",
                 good + "output: {nodes: [11, 5], csv: o.csv}\n": "scene.yaml:3:17: error: node 5 is no node of a bead",
-                good + "---\nlaw: manual\n": "scene.yaml:4:1: error: a second document in the file",
+                good + "---\nlaw: manual\n": "scene.yaml:3:1: error: a second document in the file",
                 "": "scene.yaml: error: a scene is a map of keys; it begins with: deck: NAME_0000.rad",
         }.items():
             with self.subTest(text):
