@@ -236,8 +236,7 @@ private:
                 choices.select = rules(value, key.text);
                 if (choices.select->value.empty())
                     fail(value, "select needs a rule at least", "leave it out, or write ALL");
-            }
-            if (key.text == "ignore")
+            } else if (key.text == "ignore")
                 choices.ignore = rules(value, key.text);
             else if (key.text == "severity")
                 severities(value, choices);

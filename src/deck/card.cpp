@@ -87,25 +87,6 @@ std::string_view columns(std::string_view text, uint32_t column, uint32_t width)
     return text.substr(column - 1, width);
 }
 
-/// Cuts a free-format line: commas and blanks both separate, nothing between two commas is an empty field.
-std::vector<std::string_view> free_fields(std::string_view text) {
-    std::vector<std::string_view> fields;
-    std::size_t begin = 0;
-    for (;;) {
-        const std::size_t comma = std::min(text.find(',', begin), text.size());
-        std::string_view part = trim(text.substr(begin, comma - begin));
-        if (part.empty()) fields.push_back(text.substr(comma, 0));
-        while (!part.empty()) {
-            const std::size_t blank = std::min(part.find_first_of(" \t"), part.size());
-            fields.push_back(part.substr(0, blank));
-            part = trim(part.substr(blank));
-        }
-        if (comma == text.size()) break;
-        begin = comma + 1;
-    }
-    return fields;
-}
-
 /// Which free-format position each field of the layout has: gaps between fields count as one empty field
 /// each.
 std::vector<int> free_positions(const CardSchema& schema, int layout) {
@@ -134,6 +115,24 @@ const Cell& Card::operator[](std::string_view field) const {
     for (std::size_t i = 0; schema && i < schema->fields.size(); ++i)
         if (schema->fields[i].name == field && cells[i].state != CellState::absent) return cells[i];
     return absent;
+}
+
+std::vector<std::string_view> free_fields(std::string_view text) {
+    std::vector<std::string_view> fields;
+    std::size_t begin = 0;
+    for (;;) {
+        const std::size_t comma = std::min(text.find(',', begin), text.size());
+        std::string_view part = trim(text.substr(begin, comma - begin));
+        if (part.empty()) fields.push_back(text.substr(comma, 0));
+        while (!part.empty()) {
+            const std::size_t blank = std::min(part.find_first_of(" \t"), part.size());
+            fields.push_back(part.substr(0, blank));
+            part = trim(part.substr(blank));
+        }
+        if (comma == text.size()) break;
+        begin = comma + 1;
+    }
+    return fields;
 }
 
 Card read_card(const Deck& deck, ScopeId scope, Span line, const CardSchema& schema) {

@@ -81,6 +81,10 @@ struct Card {
     operator[](std::string_view field) const; ///< in the layout at hand; a static absent cell otherwise
 };
 
+/// Cuts a free-format line: commas and blanks both separate, and nothing between two commas is an empty
+/// field. The fields are places of `text`.
+std::vector<std::string_view> free_fields(std::string_view text);
+
 /// Reads `line` (a place in `scope`'s file) by the schema's layout for the scope's version. Cells are cut by
 /// column; a line with a comma is cut at commas, each gap between fields counting as one empty field. `&name`
 /// is replaced. Cards of nothing but text have no free format.

@@ -62,6 +62,13 @@ class Evaluate(CommandLineTest):
         self.assertEqual((status, err), (0, ""))
         return float(self.rows(self.folder / "d.csv")[-1]["zi"]), loads(out)
 
+    def refused_scene(self, text, message):
+        with self.subTest(text):
+            self.write("scene.yaml", text)
+            status, out, err = self.run_tool("evaluate", "scene.yaml")
+            self.assertEqual((status, out), (2, ""))
+            self.assertIn(message, err)
+
     def refused(self, deck):
         self.write("d_0000.rad", deck)
         status, out, err = self.run_tool("evaluate", "d_0000.rad", "--end", "1")
@@ -334,11 +341,7 @@ motion:
                     "scene.yaml:4:11: error: an interface needs a side: main or secondary",
                 good + good: "error: key 'deck' stands twice",
         }.items():
-            with self.subTest(text):
-                self.write("scene.yaml", text)
-                status, out, err = self.run_tool("evaluate", "scene.yaml")
-                self.assertEqual((status, out), (2, ""))
-                self.assertIn(message, err)
+            self.refused_scene(text, message)
         self.write("scene.yaml", good + "interfaces: 8\n")
         self.assertIn("no /INTER/TYPE8 with id 8", self.run_tool("evaluate", "scene.yaml")[2])
 
@@ -351,11 +354,7 @@ motion:
                 good + "---\nlaw: manual\n": "scene.yaml:3:1: error: a second document in the file",
                 "": "scene.yaml: error: a scene is a map of keys; it begins with: deck: NAME_0000.rad",
         }.items():
-            with self.subTest(text):
-                self.write("scene.yaml", text)
-                status, out, err = self.run_tool("evaluate", "scene.yaml")
-                self.assertEqual((status, out), (2, ""))
-                self.assertIn(message, err)
+            self.refused_scene(text, message)
         self.assertFalse((self.folder / "o.csv").exists())
         self.write("scene.yaml", good)
         status, _, err = self.run_tool("evaluate", "scene.yaml", "--end", "2")

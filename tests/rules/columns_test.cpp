@@ -87,6 +87,17 @@ TEST_CASE("decimal commas are told from free format") {
     CHECK_FALSE(integers("5 , 7 , , 2"));
 }
 
+TEST_CASE("numbers behind the last field of a free-format line are told, with their place") {
+    CHECK_FALSE(integers("1,2,3,4,5,6,7,8,9,10"));
+    CHECK_FALSE(integers("1,2,3,4,5,6,7,8,9,10 and a remark"));
+    CHECK_FALSE(integers("1,2,3,4,5,6,7,8,9,10,"));
+    const auto fault = column_fault("1,2 3,,5,6,7,8,9,10, 11 ,12", tens, 100);
+    REQUIRE(fault);
+    CHECK(fault->kind == Kind::too_many);
+    CHECK((fault->begin == 21 && fault->end == 23));
+    CHECK(reals("1.,2.,3.,4.,5.,6.") == Kind::too_many);
+}
+
 TEST_CASE("numbers behind the last column are told, text is not") {
     const std::string full(100, ' ');
     CHECK(integers(full + "  1011") == Kind::over_width);

@@ -1,5 +1,6 @@
 #include "rules/syn/columns.h"
 
+#include "deck/card.h"
 #include "deck/number.h"
 
 #include <algorithm>
@@ -79,28 +80,6 @@ bool has_decimal_commas(std::string_view line, const Tokens& tokens) {
     return commas != 0 && tokens.size() > 1;
 }
 
-/// Calls visit(token) for the fields of a free-format line: commas and blanks both separate, and nothing
-/// between two commas is an empty field.
-template <class Visit>
-void each_free_field(std::string_view line, Visit&& visit) {
-    const auto is_blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
-    for (uint32_t at = 0; at <= line.size(); ++at) {
-        const auto end = static_cast<uint32_t>(std::min(line.find(',', at), line.size()));
-        bool any = false;
-        while (at < end) {
-            uint32_t begin = at;
-            while (begin < end && is_blank(line[begin]))
-                ++begin;
-            for (at = begin; at < end && !is_blank(line[at]);)
-                ++at;
-            if (at > begin) visit(Token{begin, at});
-            any = any || at > begin;
-        }
-        if (!any) visit(Token{end, end});
-        at = end;
-    }
-}
-
 /// Whether a line shows its numbers in other cells than it has them in, where tabs stop at every eighth
 /// column.
 bool misleads(std::string_view line, const Tokens& tokens, std::span<const uint32_t> ends) {
@@ -141,12 +120,13 @@ std::optional<ColumnFault> column_fault(std::string_view line, std::span<const u
             for (const Token& token : tokens)
                 if (text_of(line, token).find(',') != std::string_view::npos)
                     return fault(Fault::decimal_comma, token, cell_of(ends, token.begin));
-        std::optional<Token> behind;
-        std::size_t count = 0;
-        each_free_field(line, [&](const Token& token) {
-            if (count++ >= ends.size() && !behind && is_number(text_of(line, token))) behind = token;
-        });
-        if (behind) return fault(Fault::too_many, *behind, ends.size());
+        const std::vector<std::string_view> fields = free_fields(line);
+        for (std::size_t i = ends.size(); i < fields.size(); ++i)
+            if (is_number(fields[i])) {
+                const auto begin = static_cast<uint32_t>(fields[i].data() - line.data());
+                return fault(Fault::too_many, {begin, begin + static_cast<uint32_t>(fields[i].size())},
+                             ends.size());
+            }
         return std::nullopt;
     }
     const std::size_t tab = line.find('\t');
@@ -253,13 +233,13 @@ std::vector<std::string> fitted_line(std::string_view line, std::span<const uint
     std::vector<std::string> lines(1);
     if (read.empty()) {
         std::vector<std::string_view> ids;
-        if (free)
-            each_free_field(line, [&](const Token& token) {
-                if (token.end > token.begin) ids.push_back(text_of(line, token));
-            });
-        else
+        if (free) {
+            ids = free_fields(line);
+            std::erase_if(ids, [](std::string_view id) { return id.empty(); });
+        } else {
             for (const Token& token : tokens)
                 ids.push_back(text_of(line, token));
+        }
         for (std::size_t i = 0; i < ids.size(); ++i) {
             const std::size_t cell = i % ends.size();
             if (!is_id(ids[i]) || ids[i].size() > ends[cell] - first_of(ends, cell)) return {};
