@@ -91,7 +91,7 @@ private:
     const Deck& deck_;
     const OptionIndex& options_;
     FreeIds& ids_;
-    const FixChoices& choices_;
+    FixChoices choices_;
     CellEditor cells_;
     std::map<BlockIndex, std::string> added_;
     std::set<BlockIndex> claims_;
